@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Geometry as bytes: Draco (edgebreaker), and back.
+
+#include "stages/data.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine::io {
+
+/// A mesh as clients draw it: every attribute per vertex, vertices split where corners differ.
+struct VertexMesh {
+  std::vector<V3f> positions;
+  std::vector<V3f> normals;  ///< as many, or empty
+  std::vector<V2f> uvs;      ///< as many, or empty
+  std::vector<Triangle> triangles;
+};
+
+/// Splits the welded vertices of a baked model where texture coordinates differ between corners.
+VertexMesh split_vertices(BakedModel const& model);
+
+struct DracoMesh {
+  std::vector<std::byte> bytes;
+  int position_id = -1, normal_id = -1, uv_id = -1;  ///< unique ids for KHR_draco_mesh_compression
+  std::uint32_t vertices = 0, triangles = 0;          ///< as decoded
+};
+
+/// Encodes on the grid's own steps: what was quantised before is stored without further loss. Speed 0.
+DracoMesh encode_draco(VertexMesh const& mesh, Grid const& grid);
+
+}  // namespace vitrine::io

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Transfers the original's colours and normals into the atlas's textures.
+/// Source: Sander et al. 2001 and Cignoni et al. 1998 (normal shooting); Limper et al. 2013, section 3.3.
+
+#include "stages/data.h"
+#include "stages/options.h"
+#include "stages/surface.h"
+
+namespace vitrine {
+
+enum class Occlusion {
+  none,
+  occlusion,  ///< as glTF occlusionTexture
+  colour      ///< as grey base colour of uncoloured models, as the paper did
+};
+template <>
+struct EnumNames<Occlusion> {
+  static constexpr std::array<std::string_view, 3> names{"none", "occlusion", "colour"};
+};
+
+struct BakeOptions {
+  int samples = 9;          ///< per texel; a square number
+  double reach = 0.05;      ///< how far normals shoot, as a share of the bounding box's diagonal
+  bool normal_map = true;
+  Occlusion occlusion = Occlusion::none;
+  int occlusion_rays = 64;  ///< per texel
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.samples, Field{"samples", "per texel", "rounded up to a square number", 1, 256});
+    visit(self.reach, Field{"reach", "box diagonals", "how far rays look for the original", 1e-4, 1});
+    visit(self.normal_map, Field{"normal-map", "", "bake the original's normals"});
+    visit(self.occlusion, Field{"ao", "", "ambient occlusion for models without colour: as glTF occlusion, or as grey colour"});
+    visit(self.occlusion_rays, Field{"ao-rays", "rays", "per texel", 4, 4096});
+  }
+};
+
+/// Shoots each sample along the interpolated normal, outwards and inwards, and takes the nearer hit whose normal agrees
+/// (dot > 0); where none does, the closest point of agreeing orientation, then any closest point.
+/// Out:    vertex normals for the quantised mesh (as the client decodes them), maps as large as the atlas, every covered
+///         texel written, the rest filled by smooth extrapolation; no colour map for models of one colour; normals in
+///         the client's frame (tangent_frame.h). In tiles, in parallel, the same at any thread count.
+BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options = {});
+
+}  // namespace vitrine

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// The values on the edges of the pipeline, in the order in which they are made.
+///
+/// Conventions, stated once:
+/// - right-handed axes, +Y up; front faces counter-clockwise seen from outside; lengths in the model's own unit
+/// - texture coordinates as in glTF: u right, v down, (0,0) the outer corner of the top left texel; images store the top row first
+/// - colours are sRGB in 8-bit images whose `space` says so, linear everywhere else
+/// - every type owns its arrays; what one stage returns is immutable for the next
+
+#include <Imath/ImathBox.h>
+#include <Imath/ImathVec.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+using Imath::Box3f;
+using Imath::V2f;
+using Imath::V3d;
+using Imath::V3f;
+
+using Triangle = std::array<std::uint32_t, 3>;
+using CornerUvs = std::array<V2f, 3>;
+using Rgba16 = std::array<std::uint16_t, 4>;  ///< linear colour and coverage, 65535 = 1
+using Rgba = std::array<float, 4>;            ///< linear colour and coverage
+
+/// Triangles over shared vertices. n vertices, f faces.
+struct TriMesh {
+  std::vector<V3f> positions;       ///< n
+  std::vector<Triangle> triangles;  ///< f, each index below n
+};
+
+Box3f bounds(TriMesh const& mesh);
+
+enum class ColourSpace { srgb, linear };
+
+/// 8-bit image of 1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGBA) channels, interleaved; alpha is never premultiplied.
+struct Image {
+  int width = 0, height = 0, channels = 0;
+  ColourSpace space = ColourSpace::srgb;
+  std::vector<std::uint8_t> texels;  ///< height x width x channels
+};
+
+enum class Wrap { repeat, mirror, clamp };
+
+/// Use of an image by a material; maps the vertex's uv to the image's: (u, v) -> matrix * (u, v, 1).
+struct TextureUse {
+  int image = -1;  ///< index into SourceModel::images; -1: none
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  std::array<float, 6> matrix{1, 0, 0, 0, 1, 0};  ///< 2 x 3, row by row
+};
+
+enum class AlphaMode { opaque, mask, blend };
+
+struct Material {
+  std::string name;
+  Rgba base_colour{1, 1, 1, 1};  ///< multiplies texture and vertex colour
+  bool coloured = false;         ///< the file gives this material a colour, by factor or texture
+  TextureUse colour_map;         ///< sRGB
+  TextureUse normal_map;         ///< tangent space, glTF's orientation
+  float normal_scale = 1;
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool unlit = false;
+  bool double_sided = false;
+};
+
+/// What an archive holds: one model as read, all parts in one space, vertices split where attributes differ.
+struct SourceModel {
+  TriMesh mesh;
+  V3d origin{0, 0, 0};                         ///< added to every position; not 0 only where float would lose detail
+  std::vector<V3f> normals;                    ///< n, unit; empty: the file gives none
+  std::vector<V2f> uvs;                        ///< n; empty: none
+  std::vector<Rgba16> colours;                 ///< n; empty: none
+  std::vector<std::uint16_t> face_materials;   ///< f, index into materials; empty: all faces use materials[0]
+  std::vector<Material> materials{Material{}}; ///< at least one
+  std::vector<Image> images;
+  std::vector<std::string> notes;              ///< what was ambiguous, missing or repaired, in words, for the report
+};
+
+/// Whether the original is drawn in colours of its own; one without any gets no baked base colour.
+bool has_colour(SourceModel const& model);
+
+enum class StopReason { target_reached, error_limit, nothing_left };
+
+/// The light mesh: positions welded, possibly non-manifold where the original is.
+struct SimplifiedMesh {
+  TriMesh mesh;
+  float error = 0;  ///< root of the largest quadric error accepted, as a share of the bounding box's diagonal
+  StopReason stop = StopReason::target_reached;
+};
+
+/// c charts; every face in exactly one; each chart a topological disk, connected over manifold edges.
+struct ChartedMesh {
+  TriMesh mesh;
+  std::vector<std::uint32_t> face_charts;  ///< f, below `charts`
+  std::uint32_t charts = 0;
+};
+
+/// Charts laid flat, each on its own.
+struct FlatCharts {
+  TriMesh mesh;
+  std::vector<std::uint32_t> face_charts;
+  std::uint32_t charts = 0;
+  std::vector<CornerUvs> corner_uvs;  ///< f, chart-local, model units; each chart's area equals its area in space
+  std::vector<float> stretch;         ///< c, L2 stretch of Sander et al. 2001 (1: isometric)
+  std::uint32_t retries = 0;          ///< charts that were split because the first map folded or overlapped
+};
+
+/// All charts in one texture.
+struct Atlas {
+  TriMesh mesh;
+  std::vector<std::uint32_t> face_charts;
+  std::uint32_t charts = 0;
+  std::vector<CornerUvs> corner_uvs;  ///< f, in [0,1]
+  int width = 0, height = 0;          ///< texels
+  int gutter = 0;                     ///< texels kept free between any two charts
+  float fill = 0;                     ///< share of the texels that charts cover
+};
+
+/// Grid on which positions and texture coordinates are stored: value = origin + integer * step.
+/// An axis-aligned cube for positions, the unit square for texture coordinates.
+struct Grid {
+  V3f origin{0, 0, 0};
+  float range = 1;  ///< edge of the cube
+  int position_bits = 0, uv_bits = 0, normal_bits = 0;
+};
+
+/// An atlas whose positions and texture coordinates lie exactly on the grid that the file stores,
+/// so that what is baked fits what a client decodes.
+struct QuantizedAtlas {
+  Atlas atlas;
+  Grid grid;
+};
+
+struct BakeStatistics {
+  std::uint64_t texels = 0;   ///< covered by charts
+  std::uint64_t samples = 0;  ///< rays' origins
+  std::uint64_t misses = 0;   ///< samples where no ray met the original with the same orientation: closest point used
+};
+
+/// Everything that a thumbnail shows.
+struct BakedModel {
+  TriMesh mesh;
+  std::vector<CornerUvs> corner_uvs;  ///< f; empty when there is no map
+  std::vector<V3f> normals;           ///< n, unit; empty: drawn flat
+  V3d origin{0, 0, 0};
+  Grid grid;
+  Rgba base_colour{1, 1, 1, 1};       ///< multiplies the colour map; alone for models of one colour
+  std::optional<Image> colour;        ///< sRGB, 3 or 4 channels
+  std::optional<Image> normal;        ///< tangent space in the client's frame, 3 channels, linear
+  std::optional<Image> occlusion;     ///< 1 channel, linear
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool unlit = false;
+  bool double_sided = false;
+  BakeStatistics statistics;
+};
+
+/// A finished file and what its bytes are spent on. The parts add up to glb.size().
+struct EncodedThumbnail {
+  std::vector<std::byte> glb;
+  std::size_t geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
+  std::uint32_t triangles = 0, vertices = 0;  ///< as drawn: vertices split at seams
+};
+
+/// Each check lists what is violated, in words; an empty list means valid. Tests and debug builds use them.
+std::vector<std::string> check(TriMesh const& mesh);
+std::vector<std::string> check(SourceModel const& model);
+std::vector<std::string> check(ChartedMesh const& charts);
+std::vector<std::string> check(FlatCharts const& charts);
+std::vector<std::string> check(Atlas const& atlas);
+
+}  // namespace vitrine

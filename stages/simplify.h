@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Quadric edge collapse.
+/// Source: Garland & Heckbert 1997, "Surface Simplification Using Quadric Error Metrics"; Limper et al. 2013, section 3.1.
+
+#include "stages/data.h"
+#include "stages/options.h"
+
+namespace vitrine {
+
+enum class Decimator {
+  optimal,  ///< our own: each collapse places its vertex where the quadric is least
+  openmesh  ///< the paper's: OpenMesh's half-edge collapse with its quadric and normal flipping modules
+};
+template <>
+struct EnumNames<Decimator> {
+  static constexpr std::array<std::string_view, 2> names{"optimal", "openmesh"};
+};
+
+struct SimplifyOptions {
+  int triangles = 3000;
+  double max_error = 1.0;  ///< share of the bounding box's diagonal
+  Decimator decimator = Decimator::optimal;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.triangles, Field{"triangles", "triangles", "simplify each model to at most this many", 4, 1e6});
+    visit(self.max_error, Field{"max-error", "box diagonals", "stop before the surface moves farther than this", 0, 1});
+    visit(self.decimator, Field{"decimator", "", "edge collapse: our own with optimal placement, or OpenMesh's as in the paper"});
+  }
+};
+
+/// Simplifies a welded mesh to options.triangles faces.
+/// In:     n vertices, f faces; may be open, non-manifold, of many components. Components too small to be seen are
+///         dropped before the rest would lose detail to them.
+/// Out:    at most options.triangles faces, or a stop reason; no face flipped, none without area; boundaries held by
+///         perpendicular planes; the mesh is compact (no unused vertex).
+/// Errors: none beyond std::bad_alloc: what cannot be collapsed stays, and `stop` says so.
+/// Cost:   O(n log n), some 150 bytes per face.
+SimplifiedMesh simplify(TriMesh const& mesh, SimplifyOptions const& options = {});
+
+}  // namespace vitrine

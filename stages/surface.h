@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// What an original looks like at a point of its surface: the one place that knows vertex colours, materials, textures
+/// and normal maps. Baking and rendering both ask here.
+
+#include "stages/data.h"
+#include "stages/ray_scene.h"
+
+#include <memory>
+
+namespace vitrine {
+
+struct SurfaceSample {
+  Rgba colour{1, 1, 1, 1};  ///< linear base colour: factor x texture x vertex colour; coverage in the fourth
+  V3f normal{0, 1, 0};      ///< unit shading normal: interpolated, then the source's own normal map as clients draw it
+};
+
+/// Keeps filtered (mip-mapped) textures of one original. Immutable; calls may come from any thread. The model must outlive it.
+class Surface {
+ public:
+  explicit Surface(SourceModel const& model);
+  ~Surface();
+  Surface(Surface&&) noexcept;
+  Surface& operator=(Surface&&) noexcept;
+
+  /// `footprint`: diameter of the area that the sample stands for, in model units; 0 reads the finest level.
+  SurfaceSample sample(Hit const& hit, float footprint) const;
+
+  bool coloured() const;         ///< colour varies over the surface: vertex colours, a texture or several materials
+  Rgba uniform_colour() const;   ///< the one colour, when it does not
+  AlphaMode alpha() const;       ///< blend if any material in use blends, mask if any cuts out
+  bool unlit() const;            ///< all materials in use are
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The original as every trial needs it: made once per model. Holds the model, so that nothing dangles.
+struct SurveyedModel {
+  std::shared_ptr<SourceModel const> model;  ///< cleaned
+  RayScene scene;
+  Surface surface;
+};
+
+SurveyedModel survey(std::shared_ptr<SourceModel const> model);
+
+}  // namespace vitrine
