@@ -27,9 +27,8 @@ std::uint32_t hash(Key const& key) {
 
 /// Items 0 to n - 1 grouped by the top bits of their hash, in order within each group.
 struct Groups {
-  std::vector<std::uint32_t> hashes;  ///< per item
-  std::vector<std::uint32_t> items;   ///< grouped
-  std::vector<std::size_t> begins;    ///< per group, and the end
+  std::vector<std::uint32_t> items, hashes;  ///< n
+  std::vector<std::size_t> begins;           ///< per group, and the end
 };
 
 template <class KeyOf>
@@ -39,12 +38,16 @@ Groups group_by_hash(std::size_t n, KeyOf const& key_of) {
   auto group = [&](std::uint32_t h) { return std::size_t{std::uint64_t{h} << bits >> 32}; };
 
   Groups groups{std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n), {}};
-  parallel_for(n, kGrain, [&](std::size_t i) { groups.hashes[i] = hash(key_of(i)); });
   std::vector<std::size_t> ends((std::size_t{1} << bits) + 1);
-  for (std::uint32_t h : groups.hashes) ++ends[group(h) + 1];
+  for (std::size_t i = 0; i < n; ++i) ++ends[group(hash(key_of(i))) + 1];
   for (std::size_t g = 1; g < ends.size(); ++g) ends[g] += ends[g - 1];
   groups.begins = ends;
-  for (std::size_t i = 0; i < n; ++i) groups.items[ends[group(groups.hashes[i])]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint32_t const h = hash(key_of(i));  // again: cheaper than a third array
+    std::size_t const k = ends[group(h)]++;
+    groups.items[k] = static_cast<std::uint32_t>(i);
+    groups.hashes[k] = h;
+  }
   return groups;
 }
 
@@ -52,17 +55,20 @@ Groups group_by_hash(std::size_t n, KeyOf const& key_of) {
 template <class KeyOf>
 std::vector<std::uint32_t> first_equal(std::size_t n, KeyOf const& key_of) {
   Groups const groups = group_by_hash(n, key_of);
+  std::vector<std::uint32_t> const &items = groups.items, &hashes = groups.hashes;
+  std::vector<std::size_t> const& begins = groups.begins;
   std::vector<std::uint32_t> first(n);
-  parallel_for(groups.begins.size() - 1, 1, [&](std::size_t g) {
-    std::size_t const begin = groups.begins[g], end = groups.begins[g + 1];
-    std::size_t const mask = std::bit_ceil(2 * (end - begin) + 1) - 1;
+  parallel_for(begins.size() - 1, 1, [&](std::size_t g) {
+    std::size_t const mask = std::bit_ceil(2 * (begins[g + 1] - begins[g]) + 1) - 1;
     std::vector<std::uint32_t> table(mask + 1, kNone);  // open addressing, at most half full
-    for (std::size_t k = begin; k < end; ++k) {
-      std::uint32_t const i = groups.items[k];
-      std::size_t slot = groups.hashes[i] & mask;
-      while (table[slot] != kNone && key_of(table[slot]) != key_of(i)) slot = (slot + 1) & mask;
-      if (table[slot] == kNone) table[slot] = i;
-      first[i] = table[slot];
+    for (std::size_t k = begins[g]; k < begins[g + 1]; ++k) {
+      auto differs = [&](std::uint32_t other) {
+        return hashes[other] != hashes[k] || key_of(items[other]) != key_of(items[k]);
+      };
+      std::size_t slot = hashes[k] & mask;
+      while (table[slot] != kNone && differs(table[slot])) slot = (slot + 1) & mask;
+      if (table[slot] == kNone) table[slot] = static_cast<std::uint32_t>(k);
+      first[items[k]] = items[table[slot]];
     }
   });
   return first;
