@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/image_codec.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace vitrine;
+using namespace vitrine::io;
+using testing::HasSubstr;
+
+namespace {
+
+/// Smooth in both directions, different in each channel.
+Image waves(int width, int height, int channels) {
+  Image image{width, height, channels, ColourSpace::srgb, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < channels; ++c)
+        image.texels.push_back(static_cast<std::uint8_t>(128 + 100 * std::sin(0.05 * x + 0.03 * y + c)));
+  return image;
+}
+
+double worst_difference(Image const& a, Image const& b) {
+  EXPECT_EQ(a.texels.size(), b.texels.size());
+  int worst = 0;
+  for (std::size_t i = 0; i < a.texels.size(); ++i) worst = std::max(worst, std::abs(a.texels[i] - b.texels[i]));
+  return worst;
+}
+
+std::span<std::byte const> front(std::vector<std::byte> const& bytes, double share) {
+  return std::span(bytes).first(static_cast<std::size_t>(static_cast<double>(bytes.size()) * share));
+}
+
+std::vector<std::byte> bytes_of(std::string_view text) {
+  auto const* begin = reinterpret_cast<std::byte const*>(text.data());
+  return {begin, begin + text.size()};
+}
+
+ErrorKind kind_of_failure(std::span<std::byte const> bytes, ReadLimits const& limits = {}) {
+  try {
+    decode_image(bytes, ColourSpace::srgb, limits);
+  } catch (Error const& error) {
+    return error.kind();
+  }
+  ADD_FAILURE() << "decoded";
+  return ErrorKind::broken;
+}
+
+struct Codec {
+  ImageCodec codec;
+  int channels;
+  double tolerance;
+};
+class EveryCodec : public testing::TestWithParam<Codec> {};
+
+TEST_P(EveryCodec, GivesTheImageBack) {
+  Image const image = waves(67, 45, GetParam().channels);
+  EncodedImage const encoded = encode_image(image, {GetParam().codec, 95, true});
+  Image const back = decode_image(encoded.bytes, ColourSpace::srgb);
+  EXPECT_EQ(back.width, 67);
+  EXPECT_EQ(back.height, 45);
+  EXPECT_EQ(back.channels, GetParam().channels);
+  EXPECT_LE(worst_difference(image, back), GetParam().tolerance);
+}
+
+TEST_P(EveryCodec, WritesTheSameBytesAgain) {
+  Image const image = waves(67, 45, GetParam().channels);
+  EXPECT_EQ(encode_image(image, {GetParam().codec, 80}).bytes, encode_image(image, {GetParam().codec, 80}).bytes);
+}
+
+TEST_P(EveryCodec, RefusesACutFile) {
+  EncodedImage const encoded = encode_image(waves(67, 45, GetParam().channels), {GetParam().codec, 80});
+  for (double share : {0.0, 0.01, 0.1, 0.5, 0.9})
+    EXPECT_EQ(kind_of_failure(front(encoded.bytes, share)), ErrorKind::invalid_input) << share;
+}
+
+TEST_P(EveryCodec, RefusesMoreTexelsThanTheLimit) {
+  EncodedImage const encoded = encode_image(waves(67, 45, GetParam().channels), {GetParam().codec, 80});
+  ReadLimits limits;
+  limits.texels = 67 * 45 - 1;
+  EXPECT_EQ(kind_of_failure(encoded.bytes, limits), ErrorKind::limit_exceeded);
+}
+
+TEST_P(EveryCodec, TellsTheSizeFromTheHeader) {
+  EncodedImage const encoded = encode_image(waves(67, 45, GetParam().channels), {GetParam().codec, 80});
+  ImageSize const size = image_size(encoded.bytes);
+  EXPECT_EQ(size.width, 67);
+  EXPECT_EQ(size.height, 45);
+  EXPECT_EQ(size.channels, GetParam().channels);
+}
+
+INSTANTIATE_TEST_SUITE_P(ImageCodec, EveryCodec,
+                         testing::Values(Codec{ImageCodec::jpeg, 1, 6}, Codec{ImageCodec::jpeg, 3, 8},
+                                         Codec{ImageCodec::png, 1, 0}, Codec{ImageCodec::png, 2, 0},
+                                         Codec{ImageCodec::png, 3, 0}, Codec{ImageCodec::png, 4, 0},
+                                         Codec{ImageCodec::webp, 3, 12}, Codec{ImageCodec::webp, 4, 12}));
+
+TEST(ImageCodec, AlphaIsNeverWrittenAsJpeg) {
+  EXPECT_EQ(encode_image(waves(8, 8, 4), {ImageCodec::jpeg, 90}).mime, "image/png");
+  EXPECT_EQ(encode_image(waves(8, 8, 3), {ImageCodec::jpeg, 90}).mime, "image/jpeg");
+}
+
+TEST(ImageCodec, ColourBelowTransparentTexelsIsNotPremultiplied) {
+  Image image{2, 1, 4, ColourSpace::srgb, {200, 100, 50, 10, 1, 2, 3, 0}};
+  Image const back = decode_image(encode_image(image, {ImageCodec::png}).bytes, ColourSpace::srgb);
+  EXPECT_EQ(back.texels, image.texels);
+}
+
+TEST(ImageCodec, SaysWhichColourSpaceTheCallerAskedFor) {
+  EncodedImage const encoded = encode_image(waves(4, 4, 3), {ImageCodec::png});
+  EXPECT_EQ(decode_image(encoded.bytes, ColourSpace::linear).space, ColourSpace::linear);
+}
+
+TEST(ImageCodec, ReadsAWindowsBitmapWithTheTopRowFirst) {
+  // Two rows of one texel, stored bottom up as B, G, R and a byte of padding: blue below, red above.
+  std::string bmp("BM", 2);
+  auto const put = [&](std::uint32_t value, int bytes) {
+    for (int k = 0; k < bytes; ++k) bmp.push_back(static_cast<char>(value >> 8 * k & 0xFF));
+  };
+  put(62, 4), put(0, 4), put(54, 4), put(40, 4), put(1, 4), put(2, 4), put(1, 2), put(24, 2);
+  for (int k = 0; k < 6; ++k) put(0, 4);
+  put(0x0000FF, 4), put(0xFF0000, 4);
+  Image const image = decode_image(bytes_of(bmp), ColourSpace::srgb);
+  EXPECT_THAT(image.texels, testing::ElementsAre(255, 0, 0, 0, 0, 255));
+}
+
+TEST(ImageCodec, SixteenBitsBecomeEight) {
+  Image const image =
+      decode_image(bytes_of(std::string_view("P5\n2 1\n65535\n\x80\x80\xFF\xFF", 17)), ColourSpace::srgb);
+  EXPECT_THAT(image.texels, testing::ElementsAre(0x80, 0xFF));
+}
+
+TEST(ImageCodec, DoesNotBelieveASizeThatTheBytesCannotHold) {
+  std::vector<std::byte> const bytes = bytes_of("P5\n30000 30000\n255\nabc");
+  EXPECT_EQ(kind_of_failure(bytes), ErrorKind::invalid_input);
+}
+
+TEST(ImageCodec, NamesFormatsThatAreNotRead) {
+  std::vector<std::byte> const avif =
+      bytes_of(std::string_view("\0\0\0\x20"
+                                "ftypavif\0\0\0\0",
+                                16));
+  EXPECT_EQ(kind_of_failure(avif), ErrorKind::unsupported);
+  try {
+    image_size(avif);
+    FAIL();
+  } catch (Error const& error) {
+    EXPECT_THAT(error.what(), HasSubstr("AVIF"));
+  }
+}
+
+TEST(ImageCodec, NamesAGitLfsPointer) {
+  try {
+    image_size(bytes_of("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"));
+    FAIL();
+  } catch (Error const& error) {
+    EXPECT_THAT(error.what(), HasSubstr("Git-LFS"));
+  }
+}
+
+}  // namespace
