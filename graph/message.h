@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// What travels on the graph's edges: a model's job, and either the value of the last stage or the failure that ended
+/// it.
+
+#include "graph/report.h"
+#include "io/archive.h"
+#include "stages/surface.h"
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+namespace vitrine::graph {
+
+/// One model on its way. Only the node that holds the message touches it.
+struct Job {
+  io::ArchiveEntry const* entry = nullptr;
+  io::Estimate estimate;
+  ModelRow row;
+};
+using JobPtr = std::shared_ptr<Job>;
+
+template <class T>
+struct Message {
+  JobPtr job;
+  std::variant<std::shared_ptr<T const>, Failure> value;  ///< immutable from here on
+};
+
+/// The light mesh in some state, and the original it stands for.
+template <class T>
+struct Against {
+  std::shared_ptr<SurveyedModel const> original;
+  T light;
+};
+
+}  // namespace vitrine::graph

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace vitrine::graph {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+double total_seconds(ModelRow const& row) {
+  return std::accumulate(row.seconds.begin(), row.seconds.end(), 0.0,
+                         [](double s, auto const& t) { return s + t.second; });
+}
+
+json seconds_json(ModelRow const& row) {
+  json stages = json::object();
+  for (auto const& [stage, seconds] : row.seconds) stages[stage] = seconds;
+  return stages;
+}
+
+json repairs_json(Repairs const& r) {
+  return {{"nonfiniteVertices", r.nonfinite_vertices},
+          {"degenerateFaces", r.degenerate_faces},
+          {"duplicateFaces", r.duplicate_faces},
+          {"repairedNormals", r.repaired_normals},
+          {"flippedFaces", r.flipped_faces}};
+}
+
+json row_json(ModelRow const& row) {
+  json out = {{"input", row.input}, {"title", row.title}, {"status", row.status}};
+  if (row.status != "done") {
+    out["stage"] = row.failure.stage;
+    out["reason"] = row.failure.reason;
+    out["remedy"] = row.failure.remedy;
+  } else {
+    out["thumb"] = row.thumb;
+    out["bytes"] = {{"total", row.bytes.total},   {"geometry", row.bytes.geometry},   {"colour", row.bytes.colour},
+                    {"normal", row.bytes.normal}, {"occlusion", row.bytes.occlusion}, {"other", row.bytes.other}};
+    out["mesh"] = {{"triangles", row.triangles},  {"vertices", row.vertices},
+                   {"charts", row.charts},        {"chartRetries", row.chart_retries},
+                   {"atlasFill", row.atlas_fill}, {"simplifyError", row.simplify_error}};
+    double const samples = double(std::max<std::uint64_t>(row.bake.samples, 1));
+    out["bake"] = {
+        {"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}};
+  }
+  out["source"] = {{"bytes", row.input_bytes},
+                   {"triangles", row.source_triangles},
+                   {"vertices", row.source_vertices},
+                   {"coloured", row.source_coloured}};
+  out["repairs"] = repairs_json(row.repairs);
+  out["notes"] = row.notes;
+  out["memory"] = row.memory;
+  out["seconds"] = total_seconds(row);
+  out["stages"] = seconds_json(row);
+  return out;
+}
+
+/// Per stage: models that went through, seconds, share of all.
+json stages_json(std::vector<ModelRow> const& rows) {
+  std::vector<std::string> order;
+  std::map<std::string, std::pair<std::size_t, double>> sums;
+  double all = 0;
+  for (ModelRow const& row : rows)
+    for (auto const& [stage, seconds] : row.seconds) {
+      if (!sums.contains(stage)) order.push_back(stage);
+      sums[stage].first += 1;
+      sums[stage].second += seconds;
+      all += seconds;
+    }
+  json out = json::array();
+  for (std::string const& stage : order)
+    out.push_back({{"stage", stage},
+                   {"models", sums[stage].first},
+                   {"seconds", sums[stage].second},
+                   {"share", all > 0 ? sums[stage].second / all : 0}});
+  return out;
+}
+
+std::string cell(std::string text) {
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) text.insert(0, "'");
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::string describe(ModelRow const& failed) {
+  Failure const& f = failed.failure;
+  return "error: " + failed.input + ": " + f.stage + ": " + f.reason + (f.remedy.empty() ? "" : "; " + f.remedy);
+}
+
+json report_json(std::vector<ModelRow> const& rows, json const& options, double wall_seconds) {
+  json out = {{"schema", 1}, {"program", "vitrine"}, {"options", options}};
+  auto const done = std::count_if(rows.begin(), rows.end(), [](ModelRow const& r) { return r.status == "done"; });
+  out["models"] = rows.size();
+  out["done"] = done;
+  out["failed"] = rows.size() - std::size_t(done);
+  out["seconds"] = wall_seconds;
+  out["stages"] = stages_json(rows);
+  out["rows"] = json::array();
+  for (ModelRow const& row : rows) out["rows"].push_back(row_json(row));
+  return out;
+}
+
+std::string report_csv(std::vector<ModelRow> const& rows) {
+  std::string out =
+      "input,title,status,stage,reason,remedy,thumb,bytes,geometry,colour,normal,occlusion,other,triangles,vertices,"
+      "charts,"
+      "atlas_fill,source_triangles,source_bytes,seconds,notes\r\n";
+  for (ModelRow const& row : rows) {
+    std::string notes;
+    for (std::string const& note : row.notes) notes += (notes.empty() ? "" : "; ") + note;
+    std::vector<std::string> const cells = {row.input,
+                                            row.title,
+                                            row.status,
+                                            row.failure.stage,
+                                            row.failure.reason,
+                                            row.failure.remedy,
+                                            row.thumb,
+                                            std::to_string(row.bytes.total),
+                                            std::to_string(row.bytes.geometry),
+                                            std::to_string(row.bytes.colour),
+                                            std::to_string(row.bytes.normal),
+                                            std::to_string(row.bytes.occlusion),
+                                            std::to_string(row.bytes.other),
+                                            std::to_string(row.triangles),
+                                            std::to_string(row.vertices),
+                                            std::to_string(row.charts),
+                                            std::to_string(row.atlas_fill),
+                                            std::to_string(row.source_triangles),
+                                            std::to_string(row.input_bytes),
+                                            std::to_string(total_seconds(row)),
+                                            notes};
+    for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? "," : "") + cell(cells[i]);
+    out += "\r\n";
+  }
+  return out;
+}
+
+json gallery_json(std::vector<ModelRow> const& rows) {
+  json objects = json::array();
+  for (ModelRow const& row : rows) {
+    if (row.status != "done") continue;
+    objects.push_back({{"slug", row.slug},
+                       {"title", row.title},
+                       {"thumb", row.thumb},
+                       {"bytes", row.bytes.total},
+                       {"triangles", row.triangles},
+                       {"metadata", row.metadata}});
+  }
+  return {{"schema", 1}, {"objects", std::move(objects)}};
+}
+
+}  // namespace vitrine::graph

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/convert.h"
+
+#include "graph/progress.h"
+#include "io/publish.h"
+#include "stages/error.h"
+#include "tools/command_line.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+namespace vitrine::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kComplete = 0, kNothingFound = 1, kSomeFailed = 3;
+
+/// Control characters must not reach a terminal: names of files are data.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return text;
+}
+
+/// Expected time of each model, in any unit: a constant share and one by size.
+std::vector<double> costs(io::Archive const& archive) {
+  std::vector<double> costs;
+  for (io::ArchiveEntry const& entry : archive.entries) costs.push_back(3e5 + double(io::estimate(entry).triangles));
+  return costs;
+}
+
+/// The folder that holds the built gallery page: beside the program as built, or where it is installed.
+fs::path page_folder() {
+  fs::path const program = fs::read_symlink("/proc/self/exe").parent_path();
+  for (fs::path const& folder : {program / "viewer", program / "../share/vitrine/viewer"})
+    if (fs::exists(folder / "index.html")) return folder;
+  return {};
+}
+
+/// The page is index.html at the gallery's root and everything else in viewer/.
+void publish_page(fs::path const& gallery) {
+  fs::path const page = page_folder();
+  if (page.empty()) {
+    fmt::print(stderr, "note: this build has no gallery page (build the target viewer); index.html is not written\n");
+    return;
+  }
+  for (fs::directory_entry const& entry : fs::recursive_directory_iterator(page)) {
+    if (!entry.is_regular_file()) continue;
+    fs::path const name = fs::relative(entry.path(), page);
+    io::publish_file(name == "index.html" ? gallery / name : gallery / "viewer" / name,
+                     io::map_file(entry.path()).bytes);
+  }
+}
+
+void publish_reports(ConvertCommand const& command, std::vector<graph::ModelRow> const& rows, double seconds) {
+  auto const groups = [](auto const& options, auto visit) { graph::option_groups(options, visit); };
+  fs::path const& gallery = command.run.gallery;
+  auto const dump = [](auto const& json) {
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  };
+  io::publish_file(gallery / "report.json",
+                   dump(graph::report_json(rows, options_json(command.model, groups), seconds)));
+  io::publish_file(gallery / "report.csv", graph::report_csv(rows));
+  io::publish_file(gallery / "gallery.json", dump(graph::gallery_json(rows)));
+}
+
+void print_summary(std::vector<graph::ModelRow> const& rows, fs::path const& gallery, double seconds) {
+  std::size_t done = 0, bytes = 0;
+  for (graph::ModelRow const& row : rows)
+    if (row.status == "done") ++done, bytes += row.bytes.total;
+  fmt::print("{} of {} models converted in {:.1f} s", done, rows.size(), seconds);
+  if (done > 0) fmt::print(", {:.1f} KB each on average", double(bytes) / double(done) / 1000);
+  fmt::print("\n");
+  if (done < rows.size())
+    fmt::print("{} failed: see {}\n", rows.size() - done, printable((gallery / "report.csv").string()));
+  fmt::print("look at it: vitrine serve {}\n", printable(gallery.string()));
+}
+
+}  // namespace
+
+int convert(ConvertCommand const& command) {
+  auto const start = std::chrono::steady_clock::now();
+  io::Archive const archive = io::read_archive(command.archive, command.reading);
+  for (std::string const& note : archive.notes) fmt::print(stderr, "note: {}\n", printable(note));
+  if (archive.entries.empty()) {
+    fmt::print(stderr, "error: no model found below {}; PLY, OBJ, STL, OFF, glTF and GLB files are read\n",
+               printable(command.archive.string()));
+    return kNothingFound;
+  }
+  fs::create_directories(command.run.gallery);
+  io::sweep_unfinished(command.run.gallery);
+
+  std::vector<double> const cost = costs(archive);
+  std::vector<graph::ModelRow> rows;
+  {
+    double total = 0;
+    for (double c : cost) total += c;
+    graph::Progress progress(archive.entries.size(), total, isatty(STDERR_FILENO));
+    rows = graph::run_pipeline(archive, command.model, command.run, [&](graph::ModelRow const& row, std::size_t entry) {
+      progress.finished(cost[entry], row.status != "done");
+      if (row.status != "done") progress.say(printable(graph::describe(row)));
+    });
+  }
+  double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  publish_reports(command, rows, seconds);
+  publish_page(command.run.gallery);
+  print_summary(rows, command.run.gallery, seconds);
+  bool const all = std::all_of(rows.begin(), rows.end(), [](auto const& row) { return row.status == "done"; });
+  return all ? kComplete : kSomeFailed;
+}
+
+}  // namespace vitrine::tools

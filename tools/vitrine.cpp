@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program: parse, run, print, exit. Each verb is a function that describes itself to the parser and returns what
+// runs it.
+#include "stages/error.h"
+#include "tools/command_line.h"
+#include "tools/convert.h"
+#include "tools/serve.h"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <functional>
+#include <memory>
+
+namespace {
+
+using namespace vitrine;
+using Verb = std::function<int()>;
+
+Verb convert_verb(CLI::App& app) {
+  auto command = std::make_shared<tools::ConvertCommand>();
+  app.add_option("archive", command->archive, "folder of scans, searched in depth")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--out", command->run.gallery, "folder of the gallery, made if missing")->required();
+  std::map<std::string, io::UpAxis> const axes{{"y", io::UpAxis::y}, {"z", io::UpAxis::z}};
+  app.add_option("--up", command->reading.up, "axis that points up in models for which archive.csv says nothing")
+      ->transform(CLI::CheckedTransformer(axes).description(""))
+      ->type_name("y|z")
+      ->default_str("y");
+  app.add_option("--include", command->reading.include,
+                 "convert only paths that match (`*`, `**`, `?`); may be repeated")
+      ->type_name("GLOB");
+  app.add_option("--exclude", command->reading.exclude, "pass over paths that match; may be repeated")
+      ->type_name("GLOB");
+  app.add_option("--threads", command->run.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
+  app.add_option("--memory", command->run.memory, "for the models under way (default: 80 % of what is free)")
+      ->transform(CLI::AsSizeValue(true))
+      ->type_name("SIZE");
+  std::map<std::string, io::MtlKd> const kd{{"ignore", io::MtlKd::ignore}, {"multiply", io::MtlKd::multiply}};
+  app.add_option("--mtl-kd", command->model.read.mtl_kd, "what the Kd beside a map_Kd of an MTL file does")
+      ->transform(CLI::CheckedTransformer(kd).description(""))
+      ->type_name("ignore|multiply")
+      ->default_str("ignore");
+  graph::option_groups(command->model, [&](std::string const& group, auto& options) {
+    options.fields(options, tools::AddFlags(app, group));
+  });
+  return [command] { return tools::convert(*command); };
+}
+
+Verb serve_verb(CLI::App& app) {
+  struct Command {
+    std::filesystem::path gallery;
+    std::string host = "127.0.0.1";
+    int port = 8000;
+  };
+  auto command = std::make_shared<Command>();
+  app.add_option("gallery", command->gallery, "folder that convert made")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--host", command->host, "address to listen on")->capture_default_str();
+  app.add_option("--port", command->port, "0: any free port")->check(CLI::Range(0, 65535))->capture_default_str();
+  return [command] { return tools::serve(command->gallery, command->host, command->port); };
+}
+
+constexpr struct {
+  char const* name;
+  char const* help;
+  Verb (*make)(CLI::App&);
+} kVerbs[] = {
+    {"convert", "turn every model below a folder into a 3D thumbnail", convert_verb},
+    {"serve", "show a gallery on localhost", serve_verb},
+};
+
+/// Large arrays go back to the system when a model is done, so that memory returns to its base.
+void keep_memory_flat() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_TRIM_THRESHOLD, 16 << 20);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  constexpr int kFatal = 1, kUsage = 2;
+  keep_memory_flat();
+  CLI::App app("Vitrine turns archives of 3D scans into 3D thumbnails of a few kilobytes each.");
+  app.set_version_flag("--version", VITRINE_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  Verb chosen;
+  for (auto const& verb : kVerbs) {
+    CLI::App* sub = app.add_subcommand(verb.name, verb.help);
+    sub->callback([&chosen, run = verb.make(*sub)] { chosen = run; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (CLI::ParseError const& e) {
+    return app.exit(e) == 0 ? 0 : kUsage;
+  }
+  try {
+    return chosen();
+  } catch (Error const& e) {
+    fmt::print(stderr, "error: {}; {}\n", e.what(), e.remedy());
+    return kFatal;
+  }
+} catch (std::exception const& e) {
+  fmt::print(stderr, "error: {}\n", e.what());
+  return 1;
+}
