@@ -1,2 +1,114 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/mesh_codec.h"
+
+#include "stages/error.h"
+
+#include <draco/compression/expert_encode.h>
+#include <draco/mesh/mesh.h>
+
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace vitrine::io {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Adds a float attribute with one value per point; returns its unique id.
+template <class Vector>
+int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::vector<Vector> const& values) {
+  draco::GeometryAttribute attribute;
+  attribute.Init(type, nullptr, Vector::dimensions(), draco::DT_FLOAT32, false, sizeof(Vector), 0);
+  int const id = mesh.AddAttribute(attribute, true, static_cast<std::uint32_t>(values.size()));
+  for (std::uint32_t i = 0; i < values.size(); ++i)
+    mesh.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i), &values[i]);
+  return static_cast<int>(mesh.attribute(id)->unique_id());
+}
+
+std::unique_ptr<draco::Mesh> build(VertexMesh const& mesh, DracoMesh& ids) {
+  auto result = std::make_unique<draco::Mesh>();
+  draco::Mesh& built = *result;
+  built.set_num_points(static_cast<std::uint32_t>(mesh.positions.size()));
+  built.SetNumFaces(mesh.triangles.size());
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    Triangle const& t = mesh.triangles[f];
+    built.SetFace(draco::FaceIndex(f), {draco::PointIndex(t[0]), draco::PointIndex(t[1]), draco::PointIndex(t[2])});
+  }
+  ids.position_id = add_attribute(built, draco::GeometryAttribute::POSITION, mesh.positions);
+  if (!mesh.normals.empty()) ids.normal_id = add_attribute(built, draco::GeometryAttribute::NORMAL, mesh.normals);
+  if (!mesh.uvs.empty()) ids.uv_id = add_attribute(built, draco::GeometryAttribute::TEX_COORD, mesh.uvs);
+  // Edgebreaker walks over equal positions, not over vertices: seams then cost only the attributes that differ.
+  if (!built.DeduplicateAttributeValues())
+    throw Error(ErrorKind::broken, "draco cannot merge equal attributes", "report this model");
+  built.DeduplicatePointIds();
+  return result;
+}
+
+/// Fixes the steps of each attribute, so that equal values are equal in every file and on every client.
+void use_grid(draco::ExpertEncoder& encoder, draco::Mesh const& mesh, Grid const& grid) {
+  V2f const corner(0, 0);
+  int const position = mesh.GetNamedAttributeId(draco::GeometryAttribute::POSITION);
+  int const uv = mesh.GetNamedAttributeId(draco::GeometryAttribute::TEX_COORD);
+  int const normal = mesh.GetNamedAttributeId(draco::GeometryAttribute::NORMAL);
+  encoder.SetAttributeExplicitQuantization(position, grid.position_bits, 3, grid.origin.getValue(), grid.range);
+  if (uv >= 0) encoder.SetAttributeExplicitQuantization(uv, grid.uv_bits, 2, corner.getValue(), 1);
+  if (normal >= 0) encoder.SetAttributeQuantization(normal, grid.normal_bits);
+}
+
+}  // namespace
+
+VertexMesh split_vertices(BakedModel const& model) {
+  VertexMesh split;
+  std::vector<std::uint32_t> first(model.mesh.positions.size(), kNone);  // per welded vertex: its newest copy
+  std::vector<std::uint32_t> next;                                       // per copy: the one made before it
+  auto copy_of = [&](std::uint32_t vertex, V2f const* uv) {
+    std::uint32_t copy = first[vertex];
+    while (copy != kNone && uv && split.uvs[copy] != *uv) copy = next[copy];
+    if (copy != kNone) return copy;
+    copy = static_cast<std::uint32_t>(split.positions.size());
+    split.positions.push_back(model.mesh.positions[vertex]);
+    if (!model.normals.empty()) split.normals.push_back(model.normals[vertex]);
+    if (uv) split.uvs.push_back(*uv);
+    next.push_back(first[vertex]);
+    return first[vertex] = copy;
+  };
+  split.triangles.reserve(model.mesh.triangles.size());
+  for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f) {
+    Triangle corners;
+    for (std::size_t c = 0; c < 3; ++c)
+      corners[c] = copy_of(model.mesh.triangles[f][c], model.corner_uvs.empty() ? nullptr : &model.corner_uvs[f][c]);
+    split.triangles.push_back(corners);
+  }
+  return split;
+}
+
+DracoMesh encode_draco(VertexMesh const& mesh, Grid const& grid) {
+  if (mesh.triangles.empty() || !(grid.range > 0))
+    throw Error(ErrorKind::broken,
+                "nothing to encode: " + std::to_string(mesh.triangles.size()) + " triangles on a grid of edge " +
+                    std::to_string(grid.range),
+                "report this model");
+  DracoMesh result;
+  std::unique_ptr<draco::Mesh> const built = build(mesh, result);
+  draco::Status status;
+  for (int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
+    draco::ExpertEncoder encoder(*built);
+    encoder.SetEncodingMethod(method);
+    encoder.SetSpeedOptions(0, 0);
+    encoder.SetTrackEncodedProperties(true);
+    use_grid(encoder, *built, grid);
+    draco::EncoderBuffer buffer;
+    status = encoder.EncodeToBuffer(&buffer);
+    if (!status.ok()) continue;
+    auto const bytes = std::as_bytes(std::span(buffer.data(), buffer.size()));
+    result.bytes.assign(bytes.begin(), bytes.end());
+    result.vertices = static_cast<std::uint32_t>(encoder.num_encoded_points());
+    result.triangles = static_cast<std::uint32_t>(encoder.num_encoded_faces());
+    return result;
+  }
+  throw Error(ErrorKind::broken, std::string("draco cannot encode the mesh: ") + status.error_msg(),
+              "report this model");
+}
+
+}  // namespace vitrine::io

@@ -20,16 +20,19 @@ struct VertexMesh {
   std::vector<Triangle> triangles;
 };
 
-/// Splits the welded vertices of a baked model where texture coordinates differ between corners.
+/// Splits the welded vertices of a baked model where texture coordinates differ between corners; vertices in the order
+/// in which the triangles first use them, those that none uses dropped.
 VertexMesh split_vertices(BakedModel const& model);
 
 struct DracoMesh {
   std::vector<std::byte> bytes;
   int position_id = -1, normal_id = -1, uv_id = -1;  ///< unique ids for KHR_draco_mesh_compression
-  std::uint32_t vertices = 0, triangles = 0;          ///< as decoded
+  std::uint32_t vertices = 0, triangles = 0;         ///< as decoded
 };
 
-/// Encodes on the grid's own steps: what was quantised before is stored without further loss. Speed 0.
+/// Encodes on the grid's own steps: what was quantised before is stored without further loss. Speed 0. Equal vertices
+/// become one, triangles that use a vertex twice are dropped. What edgebreaker cannot take is stored with sequential
+/// connectivity. Errors: Broken for a mesh without triangles, a grid without extent, or when Draco refuses both ways.
 DracoMesh encode_draco(VertexMesh const& mesh, Grid const& grid);
 
 }  // namespace vitrine::io
