@@ -9,12 +9,13 @@
 
 namespace vitrine::io {
 
-/// Replaces `path` atomically; makes its folder. A reader sees the old file or the new one, also after a crash.
+/// Replaces `path` atomically; makes its folder. A reader sees the old file or the new one, also after a crash. Any number
+/// of threads and processes may publish at once; of several to one path the last one wins.
 /// Errors: std::filesystem::filesystem_error with the path and the system's reason (disk full, not permitted).
 void publish_file(std::filesystem::path const& path, std::span<std::byte const> bytes);
 void publish_file(std::filesystem::path const& path, std::string_view text);
 
-/// Removes what an interrupted run left aside below `folder`.
+/// Removes what an interrupted run left aside below `folder`; call it while nothing is being published there.
 void sweep_unfinished(std::filesystem::path const& folder);
 
 }  // namespace vitrine::io
