@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// Transfers the original's colours and normals into the atlas's textures.
-/// Source: Sander et al. 2001 and Cignoni et al. 1998 (normal shooting); Limper et al. 2013, section 3.3.
+/// Source: Sander et al. 2001 and Cignoni et al. 1998 (normal shooting); Limper et al. 2015, section 3.3.
 
 #include "stages/data.h"
 #include "stages/options.h"

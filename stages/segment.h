@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// Cuts a light mesh into disk-like charts.
-/// Source: Limper et al. 2013, section 3.2, after Levy et al. 2002, "Least Squares Conformal Maps for Automatic Texture
+/// Source: Limper et al. 2015, section 3.2, after Levy et al. 2002, "Least Squares Conformal Maps for Automatic Texture
 /// Atlas Generation", section 4: features, distance to features, growth from its maxima.
 
 #include "stages/data.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// Quadric edge collapse.
-/// Source: Garland & Heckbert 1997, "Surface Simplification Using Quadric Error Metrics"; Limper et al. 2013, section 3.1.
+/// Source: Garland & Heckbert 1997, "Surface Simplification Using Quadric Error Metrics"; Limper et al. 2015, section 3.1.
 
 #include "stages/data.h"
 #include "stages/options.h"
