@@ -1,2 +1,111 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/write_glb.h"
+
+#include "io/gltf_geometry.h"
+#include "stages/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace vitrine::io {
+namespace {
+
+WrittenGeometry write_geometry(GltfDocument& document, VertexMesh const& mesh, Grid const& grid, Profile profile) {
+  switch (profile) {
+    case Profile::plain:
+      return write_buffers(document, mesh, grid);
+    case Profile::meshopt:
+      return write_meshopt(document, mesh, grid);
+    default:
+      return write_draco(document, mesh, grid);
+  }
+}
+
+/// Embeds a map; returns its glTF reference and adds its bytes to `bytes`.
+Json write_map(GltfDocument& document, Image const& image, ImageQuality const& quality, std::size_t& bytes) {
+  EncodedImage const coded = encode_image(image, quality);
+  bytes += coded.bytes.size();
+  std::size_t const source =
+      add(document.json, "images", {{"bufferView", document.add_view(coded.bytes)}, {"mimeType", coded.mime}});
+  Json texture = {{"source", source}};
+  if (coded.mime == "image/webp") {
+    document.use_extension("EXT_texture_webp", Need::required);
+    texture = {{"extensions", {{"EXT_texture_webp", std::move(texture)}}}};
+  }
+  return {{"index", add(document.json, "textures", std::move(texture))}};
+}
+
+/// Five decimals: finer than 8-bit sRGB everywhere.
+Json colour_factor(Rgba const& colour) {
+  Json list = Json::array();
+  for (float c : colour) list.push_back(number(std::round(1e5 * std::clamp<double>(c, 0, 1)) / 1e5));
+  return list;
+}
+
+Json write_material(GltfDocument& document, BakedModel const& model, EncodeOptions const& options,
+                    EncodedThumbnail& sizes) {
+  bool const plain = options.profile == Profile::plain;
+  ImageCodec const lossy = plain ? ImageCodec::jpeg : ImageCodec::webp;
+  Json pbr = {{"metallicFactor", 0}};
+  if (Json factor = colour_factor(model.base_colour); factor != Json::array({1, 1, 1, 1}))
+    pbr["baseColorFactor"] = std::move(factor);
+  if (model.colour)
+    pbr["baseColorTexture"] = write_map(document, *model.colour, {lossy, options.colour_quality}, sizes.colour);
+  Json material = {{"pbrMetallicRoughness", std::move(pbr)}};
+  if (model.normal)
+    material["normalTexture"] = write_map(
+        document, *model.normal, {plain ? ImageCodec::png : ImageCodec::webp, options.normal_quality}, sizes.normal);
+  if (model.occlusion)
+    material["occlusionTexture"] =
+        write_map(document, *model.occlusion, {lossy, options.colour_quality}, sizes.occlusion);
+  if (model.alpha == AlphaMode::blend) material["alphaMode"] = "BLEND";
+  if (model.alpha == AlphaMode::mask) {
+    material["alphaMode"] = "MASK";
+    if (model.alpha_cutoff != 0.5f) material["alphaCutoff"] = number(model.alpha_cutoff);
+  }
+  if (model.double_sided) material["doubleSided"] = true;
+  if (model.unlit) {
+    document.use_extension("KHR_materials_unlit", Need::optional);
+    material["extensions"]["KHR_materials_unlit"] = Json::object();
+  }
+  return material;
+}
+
+/// "scene" is stated, though it costs ten bytes: some importers show nothing without it.
+void write_scene(GltfDocument& document, WrittenGeometry const& geometry, V3d const& origin, std::string_view title) {
+  Json node = {{"mesh", 0}};
+  if (!title.empty()) node["name"] = title;
+  V3d const translation = origin + V3d(geometry.translation);
+  if (geometry.scale != 1) node["scale"] = numbers(V3f(geometry.scale));
+  if (translation != V3d(0, 0, 0))
+    node["translation"] = origin == V3d(0, 0, 0) ? numbers(geometry.translation) : numbers(translation);
+  document.json["scene"] = 0;
+  document.json["scenes"][0]["nodes"] = Json::array({0});
+  document.json["nodes"][0] = std::move(node);
+}
+
+}  // namespace
+
+EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options) {
+  if (model.mesh.triangles.empty())
+    throw Error(ErrorKind::broken, "nothing to encode: no triangles are left", "report this model");
+  EncodedThumbnail thumbnail;
+  GltfDocument document;
+  WrittenGeometry geometry = write_geometry(document, split_vertices(model), model.grid, options.profile);
+  write_scene(document, geometry, model.origin, title);
+  document.json["materials"][0] = write_material(document, model, options, thumbnail);
+  geometry.primitive["material"] = 0;
+  document.json["meshes"][0]["primitives"][0] = std::move(geometry.primitive);
+
+  thumbnail.glb = document.glb();
+  thumbnail.geometry = geometry.bytes;
+  thumbnail.other =
+      thumbnail.glb.size() - thumbnail.geometry - thumbnail.colour - thumbnail.normal - thumbnail.occlusion;
+  thumbnail.triangles = geometry.triangles;
+  thumbnail.vertices = geometry.vertices;
+  return thumbnail;
+}
+
+}  // namespace vitrine::io

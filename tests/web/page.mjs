@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs in the browser: draws one GLB and says what is to be seen.
+import * as THREE from 'three';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
+
+const SIDE = 250; // pixels
+const EDGE = 2.5; // of the square that the camera sees, in model units
+
+const renderer = new THREE.WebGLRenderer({ alpha: true, preserveDrawingBuffer: true });
+renderer.setSize(SIDE, SIDE, false);
+renderer.setClearColor(0, 0); // alpha tells background from model
+const loader = new GLTFLoader()
+  .setDRACOLoader(new DRACOLoader().setDecoderPath('/three/examples/jsm/libs/draco/gltf/'))
+  .setMeshoptDecoder(MeshoptDecoder);
+
+// Orthographic, along -z, at `centre`; light of irradiance pi from the direction `light`, or from everywhere.
+function stage(root, { centre, edge, light }) {
+  const scene = new THREE.Scene().add(root);
+  const camera = new THREE.OrthographicCamera(-edge / 2, edge / 2, edge / 2, -edge / 2, 0.1 * edge, 4 * edge);
+  camera.position.set(...centre).z += 2 * edge;
+  if (light) {
+    const sun = new THREE.DirectionalLight(0xffffff, Math.PI);
+    sun.target.position.set(...centre);
+    sun.position.set(...centre).addScaledVector(new THREE.Vector3(...light), edge);
+    scene.add(sun, sun.target);
+  } else {
+    scene.add(new THREE.AmbientLight(0xffffff, Math.PI));
+  }
+  return { scene, camera };
+}
+
+// Draws; returns the share of pixels covered, and the colours at `places`, from -1 to 1 in half the seen square's edge of 2.5.
+function look({ scene, camera }, places) {
+  renderer.render(scene, camera);
+  const gl = renderer.getContext();
+  const pixels = new Uint8Array(4 * SIDE * SIDE);
+  gl.readPixels(0, 0, SIDE, SIDE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let covered = 0;
+  for (let i = 3; i < pixels.length; i += 4) if (pixels[i] > 0) covered++;
+  const colours = places.map((place) => {
+    const [x, y] = place.map((p) => Math.floor((p / EDGE + 0.5) * SIDE));
+    return [...pixels.slice(4 * (y * SIDE + x), 4 * (y * SIDE + x) + 3)];
+  });
+  return { coverage: covered / (SIDE * SIDE), colours };
+}
+
+function meshes(root) {
+  const found = [];
+  root.traverse((object) => { if (object.isMesh) found.push(object); });
+  return found;
+}
+
+// The same surface with `normal` at each vertex in place of its normal map.
+function showGeometric(root, normal) {
+  for (const { geometry, material } of meshes(root)) {
+    const values = new Float32Array(3 * geometry.attributes.position.count).map((_, i) => normal[i % 3]);
+    geometry.setAttribute('normal', new THREE.BufferAttribute(values, 3));
+    Object.assign(material, { normalMap: null, flatShading: false, needsUpdate: true });
+  }
+}
+
+// `centre` left out: the camera looks at the middle of the model's box, and its sphere just fits.
+window.draw = async (url, { centre, light, places = [], geometric = null }) => {
+  const { scene: root } = await loader.loadAsync(url);
+  const sphere = new THREE.Box3().setFromObject(root).getBoundingSphere(new THREE.Sphere());
+  const view = centre ? { centre, edge: EDGE, light } : { centre: sphere.center.toArray(), edge: 2 * sphere.radius, light };
+  const staged = stage(root, view);
+  const seen = look(staged, places);
+  const triangles = renderer.info.render.triangles;
+  let wanted = null;
+  if (geometric) {
+    showGeometric(root, geometric);
+    wanted = look(staged, places).colours;
+  }
+  return { ...seen, wanted, triangles, radius: sphere.radius };
+};

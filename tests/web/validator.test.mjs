@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every GLB of the folder $VITRINE_WEB_GLBS is free of errors and warnings in the Khronos validator.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { validateBytes } from 'gltf-validator';
+
+import { glbs } from './fixtures.mjs';
+
+const NAMES = ['errors', 'warnings', 'infos', 'hints'];
+
+async function issues(bytes) {
+  const report = await validateBytes(new Uint8Array(bytes), { maxIssues: 100 });
+  return report.issues.messages
+    .filter(({ severity }) => severity <= 1)
+    .map(({ severity, code, pointer, message }) => `${NAMES[severity]}: ${code} ${pointer ?? ''}: ${message}`);
+}
+
+for (const file of glbs()) {
+  test(`${path.basename(file)} is valid`, async () => {
+    assert.deepEqual(await issues(fs.readFileSync(file)), []);
+  });
+}
+
+test('the validator sees a wrong bound', async () => {
+  const plain = glbs().find((file) => file.endsWith('cube.plain.glb'));
+  if (!plain) return;
+  const bytes = fs.readFileSync(plain);
+  const digit = bytes.indexOf('"max":[') + '"max":['.length;
+  bytes[digit] = bytes[digit] === 0x31 ? 0x32 : 0x31;
+  assert.notDeepEqual(await issues(bytes), []);
+});
