@@ -14,6 +14,12 @@
 
 namespace vitrine {
 
+/// body() as it is, for libraries that run in parallel inside.
+template <class Body>
+void isolated(Body const& body) {
+  tbb::this_task_arena::isolate(body);
+}
+
 /// body(begin, end) over [0, n) in blocks of `grain`; blocks may run at once and in any order.
 template <class Body>
 void parallel_blocks(std::size_t n, std::size_t grain, Body const& body) {

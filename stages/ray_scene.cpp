@@ -1,2 +1,176 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/ray_scene.h"
+
+#include "stages/closest_point.h"
+#include "stages/error.h"
+#include "stages/parallel.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+/// From this many faces on, memory counts for more than a third more time per ray.
+constexpr std::size_t kCompactFaces = std::size_t{1} << 22;
+
+void require(RTCError code) {
+  if (code == RTC_ERROR_NONE) return;
+  if (code == RTC_ERROR_OUT_OF_MEMORY)
+    throw Error(ErrorKind::limit_exceeded, "no memory left for the ray-tracing tree", "give the program more memory");
+  if (code == RTC_ERROR_UNSUPPORTED_CPU)
+    throw Error(ErrorKind::unsupported, "the processor has no AVX2", "run on a processor with AVX2");
+  throw Error(ErrorKind::broken, "embree reports error " + std::to_string(int(code)), "report this as a bug");
+}
+
+/// The process's one device; lives until the end of the process, as scenes may outlive any static object.
+RTCDevice device() {
+  static RTCDevice const shared = [] {
+    RTCDevice const made = rtcNewDevice("isa=avx2");
+    if (!made) require(rtcGetDeviceError(nullptr));
+    return made;
+  }();
+  return shared;
+}
+
+struct SidedContext : RTCIntersectContext {
+  Ray const* rays;
+
+  explicit SidedContext(Ray const* of) : rays(of) { rtcInitIntersectContext(this); }
+};
+
+bool has_side(Ray const& ray) { return ray.side != V3f(0); }
+
+bool on_side(V3f const& side, V3f const& normal) { return side == V3f(0) || side.dot(normal) > 0; }
+
+void pass_wrong_sides(RTCFilterFunctionNArguments const* args) {
+  Ray const* const rays = static_cast<SidedContext const*>(args->context)->rays;
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    V3f const normal(RTCHitN_Ng_x(args->hit, args->N, i), RTCHitN_Ng_y(args->hit, args->N, i),
+                     RTCHitN_Ng_z(args->hit, args->N, i));
+    if (!on_side(rays[RTCRayN_id(args->ray, args->N, i)].side, normal)) args->valid[i] = 0;
+  }
+}
+
+RTCRay embree_ray(Ray const& ray) {
+  return {ray.origin.x,
+          ray.origin.y,
+          ray.origin.z,
+          ray.near,
+          ray.direction.x,
+          ray.direction.y,
+          ray.direction.z,
+          0,
+          ray.far,
+          0xffffffffu,
+          0,
+          0};
+}
+
+struct ClosestPoint {
+  TriMesh const& mesh;
+  V3f point, side;
+  Hit best;
+};
+
+bool try_face(RTCPointQueryFunctionArguments* args) {
+  ClosestPoint& query = *static_cast<ClosestPoint*>(args->userPtr);
+  Triangle const& face = query.mesh.triangles[args->primID];
+  V3f const a = query.mesh.positions[face[0]];
+  V3f const b = query.mesh.positions[face[1]] - a, c = query.mesh.positions[face[2]] - a, p = query.point - a;
+  if (!on_side(query.side, b.cross(c))) return false;
+  Barycentric const at = closest_on_triangle(p, b, c);
+  float const distance = (p - b * at.u - c * at.v).length();
+  if (!(distance < query.best.distance)) return false;
+  query.best = {args->primID, at.u, at.v, distance};
+  args->query->radius = distance;
+  return true;
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+  TriMesh const& mesh;
+  std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> owner{rtcNewScene(device()), rtcReleaseScene};
+  RTCScene scene = owner.get();
+
+  explicit Impl(TriMesh const& of) : mesh(of) {
+    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
+                                                       (mesh.triangles.size() >= kCompactFaces ? RTC_SCENE_FLAG_COMPACT
+                                                                                               : RTC_SCENE_FLAG_NONE)));
+    RTCGeometry const geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    // Embree reads 4 bytes past the last vertex: it gets a copy with room for that.
+    void* const vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(V3f),
+                                                   mesh.positions.size());
+    if (vertices) std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(V3f));
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                               sizeof(Triangle), mesh.triangles.size());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    if (vertices) isolated([this] { rtcCommitScene(scene); });
+    require(rtcGetDeviceError(device()));
+  }
+};
+
+RayScene::RayScene(TriMesh const& mesh) : impl_(std::make_unique<Impl>(mesh)) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+std::optional<Hit> RayScene::first_hit(Ray const& ray) const {
+  SidedContext context(&ray);
+  if (has_side(ray)) context.filter = pass_wrong_sides;
+  RTCRayHit query{embree_ray(ray), {}};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(impl_->scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
+}
+
+std::array<std::optional<Hit>, RayScene::kPacket> RayScene::first_hits(std::array<Ray, kPacket> const& rays) const {
+  SidedContext context(rays.data());
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  if (std::any_of(rays.begin(), rays.end(), has_side)) context.filter = pass_wrong_sides;
+  RTCRayHit8 query{};
+  alignas(32) std::array<int, kPacket> valid;
+  for (unsigned i = 0; i < kPacket; ++i) {
+    Ray const& ray = rays[i];
+    valid[i] = ray.far < ray.near ? 0 : -1;
+    query.ray.org_x[i] = ray.origin.x, query.ray.org_y[i] = ray.origin.y, query.ray.org_z[i] = ray.origin.z;
+    query.ray.dir_x[i] = ray.direction.x, query.ray.dir_y[i] = ray.direction.y, query.ray.dir_z[i] = ray.direction.z;
+    query.ray.tnear[i] = ray.near, query.ray.tfar[i] = ray.far;
+    query.ray.mask[i] = 0xffffffffu, query.ray.id[i] = i;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect8(valid.data(), impl_->scene, &context, &query);
+  std::array<std::optional<Hit>, kPacket> hits;
+  for (unsigned i = 0; i < kPacket; ++i)
+    if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+      hits[i] = Hit{query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]};
+  return hits;
+}
+
+bool RayScene::occluded(Ray const& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay query = embree_ray(ray);
+  rtcOccluded1(impl_->scene, &context, &query);
+  return query.tfar < 0;
+}
+
+std::optional<Hit> RayScene::closest_point(V3f const& point, float radius, V3f const& side) const {
+  ClosestPoint closest{impl_->mesh, point, side, {0, 0, 0, radius}};
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  RTCPointQuery query{point.x, point.y, point.z, 0, radius};
+  rtcPointQuery(impl_->scene, &query, &context, try_face, &closest);
+  if (!(closest.best.distance < radius)) return std::nullopt;
+  return closest.best;
+}
+
+}  // namespace vitrine
