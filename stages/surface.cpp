@@ -1,2 +1,195 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/surface.h"
+
+#include "stages/closest_point.h"
+#include "stages/mip_map.h"
+#include "stages/tangent_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+Rgba multiply(Rgba a, Rgba const& b) {
+  for (int k = 0; k < 4; ++k) a[k] *= b[k];
+  return a;
+}
+
+Rgba to_float(Rgba16 const& colour) {
+  Rgba scaled;
+  for (int k = 0; k < 4; ++k) scaled[k] = float(colour[k]) / 65535;
+  return scaled;
+}
+
+float coverage(Material const& material, float alpha) {
+  if (material.alpha == AlphaMode::opaque) return 1;
+  if (material.alpha == AlphaMode::mask) return alpha >= material.alpha_cutoff ? 1 : 0;
+  return std::clamp(alpha, 0.f, 1.f);
+}
+
+V2f transform(TextureUse const& use, V2f uv) {
+  auto const& m = use.matrix;
+  return {m[0] * uv.x + m[1] * uv.y + m[2], m[3] * uv.x + m[4] * uv.y + m[5]};
+}
+
+std::vector<std::uint16_t> materials_in_use(SourceModel const& model) {
+  if (model.face_materials.empty()) return {0};
+  std::vector<bool> used(model.materials.size(), false);
+  for (std::uint16_t m : model.face_materials) used[m] = true;
+  std::vector<std::uint16_t> in_use;
+  for (std::size_t m = 0; m < used.size(); ++m)
+    if (used[m]) in_use.push_back(static_cast<std::uint16_t>(m));
+  return in_use;
+}
+
+bool all_equal(std::vector<Rgba16> const& colours) {
+  return std::all_of(colours.begin(), colours.end(), [&](Rgba16 const& c) { return c == colours[0]; });
+}
+
+/// Filtered images, made where a material in use asks for them.
+using MipMaps = std::vector<std::unique_ptr<MipMap const>>;
+
+}  // namespace
+
+struct Surface::Impl {
+  SourceModel const& model;
+  std::vector<std::uint16_t> in_use;
+  MipMaps colour_maps, normal_maps;
+
+  explicit Impl(SourceModel const& of)
+      : model(of), in_use(materials_in_use(of)), colour_maps(of.images.size()), normal_maps(of.images.size()) {
+    if (model.uvs.empty()) return;
+    for (std::uint16_t m : in_use) {
+      add(model.materials[m].colour_map, ColourSpace::srgb, colour_maps);
+      add(model.materials[m].normal_map, ColourSpace::linear, normal_maps);
+    }
+  }
+
+  void add(TextureUse const& use, ColourSpace space, MipMaps& maps) const {
+    if (use.image >= 0 && !maps[use.image])
+      maps[use.image] = std::make_unique<MipMap const>(model.images[use.image], space);
+  }
+
+  Material const& material_of(std::uint32_t face) const {
+    return model.materials[model.face_materials.empty() ? 0 : model.face_materials[face]];
+  }
+
+  template <class Any>
+  bool any_material(Any const& any) const {
+    return std::any_of(in_use.begin(), in_use.end(), [&](std::uint16_t m) { return any(model.materials[m]); });
+  }
+
+  template <class Value>
+  std::array<Value, 3> corners(std::vector<Value> const& values, std::uint32_t face) const {
+    Triangle const& t = model.mesh.triangles[face];
+    return {values[t[0]], values[t[1]], values[t[2]]};
+  }
+
+  CornerUvs corner_uvs(TextureUse const& use, std::uint32_t face) const {
+    CornerUvs uvs = corners(model.uvs, face);
+    for (V2f& uv : uvs) uv = transform(use, uv);
+    return uvs;
+  }
+
+  /// Level at which a texel of the map is as large as the footprint on this face.
+  static float level(Image const& image, std::array<V3f, 3> const& p, CornerUvs const& uvs, float footprint) {
+    float const area = (p[1] - p[0]).cross(p[2] - p[0]).length();
+    float const texels = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
+    float const footprint_texels = footprint * footprint * texels / area;
+    return footprint_texels > 1 ? 0.5f * std::log2(footprint_texels) : 0;
+  }
+
+  Rgba look_up(TextureUse const& use, MipMaps const& maps, std::array<V3f, 3> const& p, CornerUvs const& uvs,
+               Barycentric const& at, float footprint) const {
+    float const lod = level(model.images[use.image], p, uvs, footprint);
+    return maps[use.image]->sample(interpolate(uvs[0], uvs[1], uvs[2], at), lod, use.wrap_u, use.wrap_v);
+  }
+
+  V3f vertex_normal(std::uint32_t face, std::array<V3f, 3> const& p, Barycentric const& at) const {
+    if (!model.normals.empty()) {
+      auto const n = corners(model.normals, face);
+      V3f const normal = interpolate(n[0], n[1], n[2], at);
+      if (normal.length2() > 0) return normal.normalized();
+    }
+    return (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+  }
+
+  Rgba vertex_colour(std::uint32_t face, Barycentric const& at) const {
+    auto const c = corners(model.colours, face);
+    Rgba const a = to_float(c[0]), b = to_float(c[1]), d = to_float(c[2]);
+    Rgba mixed;
+    for (int k = 0; k < 4; ++k) mixed[k] = a[k] * (1 - at.u - at.v) + b[k] * at.u + d[k] * at.v;
+    return mixed;
+  }
+};
+
+Surface::Surface(SourceModel const& model) : impl_(std::make_unique<Impl>(model)) {}
+Surface::~Surface() = default;
+Surface::Surface(Surface&&) noexcept = default;
+Surface& Surface::operator=(Surface&&) noexcept = default;
+
+SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
+  SourceModel const& model = impl_->model;
+  Material const& material = impl_->material_of(hit.face);
+  Barycentric const at{hit.u, hit.v};
+  auto const p = impl_->corners(model.mesh.positions, hit.face);
+  SurfaceSample sample{material.base_colour, impl_->vertex_normal(hit.face, p, at)};
+  if (!model.colours.empty()) sample.colour = multiply(sample.colour, impl_->vertex_colour(hit.face, at));
+  if (!model.uvs.empty() && material.colour_map.image >= 0) {
+    CornerUvs const uvs = impl_->corner_uvs(material.colour_map, hit.face);
+    sample.colour =
+        multiply(sample.colour, impl_->look_up(material.colour_map, impl_->colour_maps, p, uvs, at, footprint));
+  }
+  if (!model.uvs.empty() && material.normal_map.image >= 0) {
+    CornerUvs const uvs = impl_->corner_uvs(material.normal_map, hit.face);
+    Rgba const texel = impl_->look_up(material.normal_map, impl_->normal_maps, p, uvs, at, footprint);
+    V3f const scale(material.normal_scale, material.normal_scale, 1);
+    V3f const m = (V3f(texel[0], texel[1], texel[2]) * 2.f - V3f(1)) * scale;
+    V3f const shown = from_tangent_space(client_frame(p, uvs, sample.normal), m);
+    if (shown.length2() > 0) sample.normal = shown;
+  }
+  sample.colour[3] = coverage(material, sample.colour[3]);
+  return sample;
+}
+
+bool Surface::coloured() const {
+  SourceModel const& model = impl_->model;
+  if (!has_colour(model)) return false;
+  Rgba const& first = model.materials[impl_->in_use[0]].base_colour;
+  return (!model.colours.empty() && !all_equal(model.colours)) || impl_->any_material([&](Material const& material) {
+    return (material.colour_map.image >= 0 && !model.uvs.empty()) || material.base_colour != first;
+  });
+}
+
+Rgba Surface::uniform_colour() const {
+  SourceModel const& model = impl_->model;
+  if (!has_colour(model)) return {1, 1, 1, 1};
+  Material const& material = model.materials[impl_->in_use[0]];
+  Rgba colour = material.base_colour;
+  if (!model.colours.empty()) colour = multiply(colour, to_float(model.colours[0]));
+  colour[3] = coverage(material, colour[3]);
+  return colour;
+}
+
+AlphaMode Surface::alpha() const {
+  if (impl_->any_material([](Material const& m) { return m.alpha == AlphaMode::blend; })) return AlphaMode::blend;
+  if (impl_->any_material([](Material const& m) { return m.alpha == AlphaMode::mask; })) return AlphaMode::mask;
+  return AlphaMode::opaque;
+}
+
+bool Surface::unlit() const {
+  return !impl_->any_material([](Material const& m) { return !m.unlit; });
+}
+
+bool Surface::double_sided() const {
+  return impl_->any_material([](Material const& m) { return m.double_sided; });
+}
+
+SurveyedModel survey(std::shared_ptr<SourceModel const> model) {
+  SourceModel const& held = *model;
+  return {std::move(model), RayScene(held.mesh), Surface(held)};
+}
+
+}  // namespace vitrine

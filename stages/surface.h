@@ -15,7 +15,8 @@ struct SurfaceSample {
   V3f normal{0, 1, 0};      ///< unit shading normal: interpolated, then the source's own normal map as clients draw it
 };
 
-/// Keeps filtered (mip-mapped) textures of one original. Immutable; calls may come from any thread. The model must outlive it.
+/// Keeps filtered (mip-mapped) textures of one original. Immutable; calls may come from any thread. The model must
+/// outlive it. Coverage is 1 for opaque materials, 0 or 1 for those that cut out, alpha for those that blend.
 class Surface {
  public:
   explicit Surface(SourceModel const& model);
@@ -26,10 +27,11 @@ class Surface {
   /// `footprint`: diameter of the area that the sample stands for, in model units; 0 reads the finest level.
   SurfaceSample sample(Hit const& hit, float footprint) const;
 
-  bool coloured() const;         ///< colour varies over the surface: vertex colours, a texture or several materials
-  Rgba uniform_colour() const;   ///< the one colour, when it does not
-  AlphaMode alpha() const;       ///< blend if any material in use blends, mask if any cuts out
-  bool unlit() const;            ///< all materials in use are
+  bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials
+  Rgba uniform_colour() const;  ///< the one colour, when it does not; white for models without colour
+  AlphaMode alpha() const;      ///< blend if any material in use blends, mask if any cuts out
+  bool unlit() const;           ///< all materials in use are
+  bool double_sided() const;    ///< any material in use is
 
  private:
   struct Impl;

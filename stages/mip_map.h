@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// An image and its smaller versions, for filtered lookup.
+/// Source: Williams 1983, "Pyramidal Parametrics".
+
+#include "stages/data.h"
+
+namespace vitrine {
+
+/// Levels halve the size (rounded down) until one texel is left; each is a box filter of the one before it, averaged
+/// in linear light when the image is sRGB, and kept in 8 bits. The image must outlive the map; its `space` does not
+/// count.
+class MipMap {
+ public:
+  MipMap(Image const& image, ColourSpace space);
+
+  /// Trilinear lookup, linear values in [0,1]; grey images give equal channels, those without alpha 1.
+  /// `level`: 0 the image itself, 1 half its size, ...; clamped to what there is.
+  Rgba sample(V2f uv, float level, Wrap wrap_u, Wrap wrap_v) const;
+
+ private:
+  Image const& level_image(std::size_t level) const { return level == 0 ? base_ : smaller_[level - 1]; }
+  Rgba bilinear(Image const& image, V2f uv, Wrap wrap_u, Wrap wrap_v) const;
+
+  Image const& base_;
+  ColourSpace space_;
+  std::vector<Image> smaller_;
+};
+
+}  // namespace vitrine
