@@ -26,8 +26,9 @@ struct Ray {
 
 /// Immutable after construction; queries may come from any thread. Equal queries give equal answers at any thread
 /// count, also where rays meet edges, vertices or faces that coincide: Embree puts what its threads have parted back
-/// into order. The instruction set is pinned to AVX2, so that machines agree. The mesh must outlive the scene, and have
-/// a face. Errors: LimitExceeded when memory does not suffice; Unsupported without AVX2.
+/// into order. The instruction set is pinned to AVX2, so that machines agree. The mesh must outlive the scene.
+///
+/// Errors: LimitExceeded when memory does not suffice; Unsupported without AVX2.
 class RayScene {
  public:
   static constexpr std::size_t kPacket = 8;
