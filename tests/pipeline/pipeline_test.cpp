@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Promises of the whole graph over small archives that each test writes.
+#include "graph/pipeline.h"
+#include "tests/support/folders.h"
+#include "tests/support/meshes.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vitrine::graph {
+namespace {
+
+using testing::Each;
+using testing::Field;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+ModelOptions small_thumbnails() {
+  ModelOptions options;
+  options.simplify.triangles = 200;
+  options.pack.texture = 64;
+  options.bake.samples = 4;
+  return options;
+}
+
+class Pipeline : public testing::Test {
+ protected:
+  void add(std::string const& name, SourceModel const& model) { add_text(name, test::obj_text(model)); }
+  void add_text(std::string const& name, std::string const& text) { test::write_file(folder_.path() / "archive" / name, text); }
+  io::Archive archive(io::ArchiveOptions const& options = {}) { return io::read_archive(folder_.path() / "archive", options); }
+
+  std::vector<ModelRow> run(io::Archive const& archive, std::string const& gallery = "gallery", int threads = 2,
+                            std::uint64_t memory = 0, ModelOptions const& options = small_thumbnails()) {
+    return run_pipeline(archive, options, {threads, memory, folder_.path() / gallery});
+  }
+  std::string thumb(ModelRow const& row, std::string const& gallery = "gallery") {
+    return test::read_file(folder_.path() / gallery / row.thumb);
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Pipeline, NModelsInNRowsOutInTheArchivesOrder) {
+  for (char const* name : {"c.obj", "a.obj", "b/d.obj"}) add(name, test::painted_model(test::bumpy_sphere(24, 12)));
+  std::vector<ModelRow> const rows = run(archive());
+  ASSERT_THAT(rows, SizeIs(3));
+  EXPECT_EQ(rows[0].input, "a.obj");
+  EXPECT_EQ(rows[1].input, "b/d.obj");
+  EXPECT_EQ(rows[2].input, "c.obj");
+  for (ModelRow const& row : rows) {
+    EXPECT_EQ(row.status, "done") << describe(row);
+    EXPECT_EQ(thumb(row).size(), row.bytes.total);
+    EXPECT_EQ(row.bytes.geometry + row.bytes.colour + row.bytes.normal + row.bytes.occlusion + row.bytes.other, row.bytes.total);
+    EXPECT_LE(row.triangles, 200u);
+  }
+}
+
+TEST_F(Pipeline, ABadModelCostsItsOwnRowAndNothingElse) {
+  add("good.obj", test::plain_model(test::torus()));
+  add_text("empty.ply", "");
+  add_text("points.obj", "v 0 0 0\nv 1 0 0\n");
+  std::vector<ModelRow> const rows = run(archive());
+  ASSERT_THAT(rows, SizeIs(3));
+  EXPECT_EQ(rows[0].status, "failed");
+  EXPECT_EQ(rows[0].failure.stage, "load");
+  EXPECT_FALSE(rows[0].failure.reason.empty());
+  EXPECT_FALSE(rows[0].failure.remedy.empty());
+  EXPECT_EQ(rows[1].status, "done");
+  EXPECT_EQ(rows[2].status, "failed");
+}
+
+TEST_F(Pipeline, SameBytesAtAnyThreadCountAndInAnyOrder) {
+  add("a.obj", test::painted_model(test::bumpy_sphere(48, 24, 1)));
+  add("b.obj", test::plain_model(test::bumpy_sphere(48, 24, 2)));
+  add("c.obj", test::painted_model(test::torus()));
+  add("d.obj", test::plain_model(test::two_shells()));
+  io::Archive entries = archive();
+  std::map<std::string, std::string> expected;
+  for (ModelRow const& row : run(entries, "one", 1)) expected[row.input] = thumb(row, "one");
+  std::reverse(entries.entries.begin(), entries.entries.end());
+  for (ModelRow const& row : run(entries, "two", 2)) {
+    EXPECT_FALSE(expected[row.input].empty());
+    EXPECT_EQ(thumb(row, "two"), expected[row.input]) << row.input;
+  }
+}
+
+TEST_F(Pipeline, RefusesAModelThatMemoryCannotHoldAndSaysHowMuchItNeeds) {
+  add("small.obj", test::plain_model(test::cube()));
+  add("large.obj", test::plain_model(test::sphere(512, 256)));
+  io::Archive const entries = archive();
+  std::uint64_t const between = io::estimate(entries.entries[0]).memory - 1;
+  ASSERT_GT(between, io::estimate(entries.entries[1]).memory);
+  std::vector<ModelRow> const rows = run(entries, "gallery", 2, between);
+  EXPECT_EQ(rows[0].failure.stage, "admit");
+  EXPECT_THAT(rows[0].failure.remedy, HasSubstr("--memory"));
+  EXPECT_EQ(rows[1].status, "done") << describe(rows[1]);
+}
+
+TEST_F(Pipeline, FinishesWhenMemoryHoldsOneModelAtATime) {
+  for (int i = 0; i < 12; ++i) add(std::to_string(i) + ".obj", test::plain_model(test::torus()));
+  io::Archive const entries = archive();
+  EXPECT_THAT(run(entries, "gallery", 2, io::estimate(entries.entries[0]).memory), Each(Field(&ModelRow::status, "done")));
+}
+
+TEST_F(Pipeline, TakesTitlesAndUpAxesFromTheArchivesTable) {
+  add("a.obj", test::plain_model(test::open_cone()));
+  add("b.obj", test::plain_model(test::open_cone()));
+  add_text("archive.csv", "path,title,up\r\na.obj,\"Cone, open\",z\r\n");
+  std::vector<ModelRow> const rows = run(archive());
+  EXPECT_EQ(rows[0].title, "Cone, open");
+  EXPECT_EQ(rows[1].title, "b");
+  EXPECT_NE(thumb(rows[0]), thumb(rows[1])) << "one lies on its side, the other does not";
+}
+
+TEST_F(Pipeline, MapsFollowWhatTheModelHas) {
+  add("painted.obj", test::painted_model(test::bumpy_sphere(48, 24)));
+  add("plain.obj", test::plain_model(test::bumpy_sphere(48, 24)));
+  std::vector<ModelRow> rows = run(archive());
+  EXPECT_GT(rows[0].bytes.colour, 0u);
+  EXPECT_EQ(rows[1].bytes.colour, 0u) << "an uncoloured model gets no baked colour";
+  EXPECT_GT(rows[1].bytes.normal, 0u);
+  EXPECT_EQ(rows[1].bytes.occlusion, 0u);
+
+  ModelOptions options = small_thumbnails();
+  options.bake.occlusion = Occlusion::occlusion;
+  rows = run(archive(), "occlusion", 2, 0, options);
+  EXPECT_GT(rows[1].bytes.occlusion, 0u);
+  options.bake.occlusion = Occlusion::colour;
+  rows = run(archive(), "grey", 2, 0, options);
+  EXPECT_GT(rows[1].bytes.colour, 0u);
+}
+
+}  // namespace
+}  // namespace vitrine::graph
