@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/shade.h"
 
+#include "stages/colour.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,60 +13,54 @@ namespace {
 constexpr float kDirectional = 0.7f, kAmbient = 0.25f;
 constexpr float kF0 = 0.04f;
 
-/// Schlick's approximation with the exponential in place of the fifth power.
+/// Schlick's approximation with an exponential in place of the fifth power; `dot_vh`: eye and half-way vector.
 float fresnel(float dot_vh) { return kF0 + (1 - kF0) * std::exp2((-5.55473f * dot_vh - 6.98316f) * dot_vh); }
 
 /// Share of light from all around that the specular lobe reflects, once or several times, seen at a cosine.
 float ambient_reflectance(float dot_nv) { return 0.0771f + dot_nv * (-0.2158f + dot_nv * (0.276f - dot_nv * 0.1244f)); }
 
-/// What light between the facets adds to the lobe.
+/// By how much light that bounces between the facets brightens the lobe.
 float multiple_scattering(float dot_nv) { return 1.0028f + dot_nv * (0.0902f - dot_nv * 0.0159f); }
 
 /// Finds the byte by the linear values at which it changes: exact, and no power per pixel.
-class SrgbBytes {
- public:
+struct SrgbBytes {
+  static constexpr int kSteps = 4096;  // no two bytes start within one step: the darkest are 1.24 steps apart
+
+  std::array<float, 257> starts;  ///< least linear value of each byte
+  std::array<std::uint8_t, kSteps + 1> guesses;
+
   SrgbBytes() {
-    for (std::size_t b = 0; b < starts_.size(); ++b) starts_[b] = linear((float(b) - 0.5f) / 255);
-    for (std::size_t i = 0; i < guesses_.size(); ++i) {
-      auto const next = std::upper_bound(starts_.begin() + 1, starts_.end(), float(i) / kSteps);
-      guesses_[i] = static_cast<std::uint8_t>(next - starts_.begin() - 1);
+    for (int b = 0; b < 256; ++b) starts[b] = srgb_to_linear((float(b) - 0.5f) / 255);
+    starts[256] = 2;
+    for (int i = 0, byte = 0; i <= kSteps; ++i) {
+      while (starts[byte + 1] <= float(i) / kSteps) ++byte;
+      guesses[i] = static_cast<std::uint8_t>(byte);
     }
   }
-
-  std::uint8_t operator()(float value) const {
-    float const x = value > 0 ? std::min(value, 1.0f) : 0.0f;  // NaN is black
-    std::size_t byte = guesses_[static_cast<std::size_t>(x * kSteps)];
-    while (byte < 255 && x >= starts_[byte + 1]) ++byte;
-    return static_cast<std::uint8_t>(byte);
-  }
-
- private:
-  static constexpr int kSteps = 4096;
-
-  static float linear(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-  }
-
-  std::array<float, 256> starts_;  ///< least linear value of each byte
-  std::array<std::uint8_t, kSteps + 1> guesses_;
 };
+
+SrgbBytes const kSrgbBytes;
 
 }  // namespace
 
-V3f shade(V3f const& base_colour, V3f const& normal, V3f const& to_eye, V3f const& to_light) {
-  float const dot_nl = std::max(normal.dot(to_light), 0.0f);
-  float const dot_nv = std::clamp(normal.dot(to_eye), 0.0f, 1.0f);
-  V3f const ambient = base_colour * (kAmbient * (1 - ambient_reflectance(dot_nv)));
-  if (dot_nl == 0) return ambient;
-  float const reflected = fresnel(std::clamp(to_eye.dot((to_light + to_eye).normalized()), 0.0f, 1.0f));
+Shading::Shading(V3f const& to_eye, V3f const& to_light)
+    : to_eye_(to_eye),
+      to_light_(to_light),
+      fresnel_(fresnel(std::sqrt(std::max(0.5f + 0.5f * to_eye.dot(to_light), 0.0f)))) {}
+
+V3f Shading::operator()(V3f const& base_colour, V3f const& normal) const {
+  float const dot_nl = std::max(normal.dot(to_light_), 0.0f);
+  float const dot_nv = std::clamp(normal.dot(to_eye_), 0.0f, 1.0f);
   float const visible = 0.5f / std::max(dot_nl + dot_nv, 1e-6f);  // Smith's term at roughness 1
-  V3f const specular(reflected * visible * multiple_scattering(dot_nv));
-  return ambient + (base_colour * (1 - reflected) + specular) * (kDirectional * dot_nl);
+  float const direct = kDirectional * dot_nl;
+  float const diffuse = kAmbient * (1 - ambient_reflectance(dot_nv)) + direct * (1 - fresnel_);
+  return base_colour * diffuse + V3f(direct * fresnel_ * visible * multiple_scattering(dot_nv));
 }
 
-std::uint8_t srgb_byte(float value) {
-  static SrgbBytes const bytes;
-  return bytes(value);
+std::uint8_t srgb_byte(float linear) {
+  float const value = linear > 0 ? std::min(linear, 1.0f) : 0.0f;  // NaN is black
+  std::size_t const guess = kSrgbBytes.guesses[static_cast<std::size_t>(value * SrgbBytes::kSteps)];
+  return static_cast<std::uint8_t>(guess + (value >= kSrgbBytes.starts[guess + 1]));
 }
 
 }  // namespace vitrine

@@ -7,11 +7,22 @@
 
 namespace vitrine {
 
-/// Linear radiance of a point. All vectors are unit; `normal` on the side of the eye (two-sided surfaces are turned).
-/// Ambient 0.25 and directional 0.7 of the base colour, less what the specular lobe (GGX, F0 0.04) takes from the
-/// diffuse one. Source: the shader chunks lights_physical and bsdfs of three.js; the terms that it tabulates are
-/// polynomials here, within 0.0034 of its table.
-V3f shade(V3f const& base_colour, V3f const& normal, V3f const& to_eye, V3f const& to_light);
+/// One direction of sight under one light: what does not depend on the surface is computed once.
+/// Source: the shader chunks lights_physical and bsdfs of three.js; the terms that it tabulates are polynomials here,
+/// within 0.0034 of its table.
+class Shading {
+ public:
+  /// Both unit.
+  Shading(V3f const& to_eye, V3f const& to_light);
+
+  /// Linear radiance: ambient 0.25 and directional 0.7 of the base colour, less what the specular lobe (GGX, F0 0.04)
+  /// takes from the diffuse one. `normal`: unit, turned to the side that is seen.
+  V3f operator()(V3f const& base_colour, V3f const& normal) const;
+
+ private:
+  V3f to_eye_, to_light_;
+  float fresnel_;
+};
 
 /// The byte that a client writes for a linear value: sRGB encoded, clamped, rounded.
 std::uint8_t srgb_byte(float linear);

@@ -93,20 +93,6 @@ struct Surface::Impl {
     return uvs;
   }
 
-  /// Level at which a texel of the map is as large as the footprint on this face.
-  static float level(Image const& image, std::array<V3f, 3> const& p, CornerUvs const& uvs, float footprint) {
-    float const area = (p[1] - p[0]).cross(p[2] - p[0]).length();
-    float const texels = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
-    float const footprint_texels = footprint * footprint * texels / area;
-    return footprint_texels > 1 ? 0.5f * std::log2(footprint_texels) : 0;
-  }
-
-  Rgba look_up(TextureUse const& use, MipMaps const& maps, std::array<V3f, 3> const& p, CornerUvs const& uvs,
-               Barycentric const& at, float footprint) const {
-    float const lod = level(model.images[use.image], p, uvs, footprint);
-    return maps[use.image]->sample(interpolate(uvs[0], uvs[1], uvs[2], at), lod, use.wrap_u, use.wrap_v);
-  }
-
   V3f vertex_normal(std::uint32_t face, std::array<V3f, 3> const& p, Barycentric const& at) const {
     if (!model.normals.empty()) {
       auto const n = corners(model.normals, face);
@@ -123,6 +109,35 @@ struct Surface::Impl {
     for (int k = 0; k < 4; ++k) mixed[k] = a[k] * (1 - at.u - at.v) + b[k] * at.u + d[k] * at.v;
     return mixed;
   }
+
+  /// `texels(image, positions, uvs)`: how many texels of the image the sample's footprint is across.
+  template <class Texels>
+  SurfaceSample sample(Hit const& hit, Texels const& texels) const {
+    Material const& material = material_of(hit.face);
+    Barycentric const at{hit.u, hit.v};
+    auto const p = corners(model.mesh.positions, hit.face);
+    auto const read = [&](TextureUse const& use, MipMaps const& maps, CornerUvs const& uvs) {
+      float const across = texels(model.images[use.image], p, uvs);
+      float const level = across > 1 ? std::log2(across) : 0;
+      return maps[use.image]->sample(interpolate(uvs[0], uvs[1], uvs[2], at), level, use.wrap_u, use.wrap_v);
+    };
+    SurfaceSample sample{material.base_colour, vertex_normal(hit.face, p, at)};
+    if (!model.colours.empty()) sample.colour = multiply(sample.colour, vertex_colour(hit.face, at));
+    if (!model.uvs.empty() && material.colour_map.image >= 0) {
+      CornerUvs const uvs = corner_uvs(material.colour_map, hit.face);
+      sample.colour = multiply(sample.colour, read(material.colour_map, colour_maps, uvs));
+    }
+    if (!model.uvs.empty() && material.normal_map.image >= 0) {
+      CornerUvs const uvs = corner_uvs(material.normal_map, hit.face);
+      Rgba const texel = read(material.normal_map, normal_maps, uvs);
+      V3f const scale(material.normal_scale, material.normal_scale, 1);
+      V3f const m = (V3f(texel[0], texel[1], texel[2]) * 2.f - V3f(1)) * scale;
+      V3f const shown = from_tangent_space(client_frame(p, uvs, sample.normal), m);
+      if (shown.length2() > 0) sample.normal = shown;
+    }
+    sample.colour[3] = coverage(material, sample.colour[3]);
+    return sample;
+  }
 };
 
 Surface::Surface(SourceModel const& model) : impl_(std::make_unique<Impl>(model)) {}
@@ -131,27 +146,23 @@ Surface::Surface(Surface&&) noexcept = default;
 Surface& Surface::operator=(Surface&&) noexcept = default;
 
 SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
-  SourceModel const& model = impl_->model;
-  Material const& material = impl_->material_of(hit.face);
-  Barycentric const at{hit.u, hit.v};
-  auto const p = impl_->corners(model.mesh.positions, hit.face);
-  SurfaceSample sample{material.base_colour, impl_->vertex_normal(hit.face, p, at)};
-  if (!model.colours.empty()) sample.colour = multiply(sample.colour, impl_->vertex_colour(hit.face, at));
-  if (!model.uvs.empty() && material.colour_map.image >= 0) {
-    CornerUvs const uvs = impl_->corner_uvs(material.colour_map, hit.face);
-    sample.colour =
-        multiply(sample.colour, impl_->look_up(material.colour_map, impl_->colour_maps, p, uvs, at, footprint));
-  }
-  if (!model.uvs.empty() && material.normal_map.image >= 0) {
-    CornerUvs const uvs = impl_->corner_uvs(material.normal_map, hit.face);
-    Rgba const texel = impl_->look_up(material.normal_map, impl_->normal_maps, p, uvs, at, footprint);
-    V3f const scale(material.normal_scale, material.normal_scale, 1);
-    V3f const m = (V3f(texel[0], texel[1], texel[2]) * 2.f - V3f(1)) * scale;
-    V3f const shown = from_tangent_space(client_frame(p, uvs, sample.normal), m);
-    if (shown.length2() > 0) sample.normal = shown;
-  }
-  sample.colour[3] = coverage(material, sample.colour[3]);
-  return sample;
+  return impl_->sample(hit, [&](Image const& image, std::array<V3f, 3> const& p, CornerUvs const& uvs) {
+    float const area = (p[1] - p[0]).cross(p[2] - p[0]).length();
+    float const texels = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
+    return footprint * std::sqrt(texels / area);
+  });
+}
+
+SurfaceSample Surface::sample(Hit const& hit, std::array<V3f, 2> const& steps) const {
+  return impl_->sample(hit, [&](Image const& image, std::array<V3f, 3> const& p, CornerUvs const& uvs) {
+    V3f const b = p[1] - p[0], c = p[2] - p[0], normal = b.cross(c);
+    V2f const size(float(image.width), float(image.height));
+    V2f const along_b = (uvs[1] - uvs[0]) * size, along_c = (uvs[2] - uvs[0]) * size;
+    auto const squared_texels = [&](V3f const& step) {
+      return (along_b * step.cross(c).dot(normal) + along_c * b.cross(step).dot(normal)).length2();
+    };
+    return std::sqrt(std::max(squared_texels(steps[0]), squared_texels(steps[1]))) / normal.length2();
+  });
 }
 
 bool Surface::coloured() const {

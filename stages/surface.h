@@ -26,6 +26,9 @@ class Surface {
 
   /// `footprint`: diameter of the area that the sample stands for, in model units; 0 reads the finest level.
   SurfaceSample sample(Hit const& hit, float footprint) const;
+  /// As clients draw it: `steps` is how far the point moves on its face from a pixel to its neighbours, across and up;
+  /// textures are read from the level in which the longer step is a texel (OpenGL's trilinear filter).
+  SurfaceSample sample(Hit const& hit, std::array<V3f, 2> const& steps) const;
 
   bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials
   Rgba uniform_colour() const;  ///< the one colour, when it does not; white for models without colour

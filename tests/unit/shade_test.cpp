@@ -15,23 +15,23 @@ TEST(Shade, FacingLightAndEyeIsAmbientPlusDiffusePlusLobe) {
   double const fresnel = 0.04 + 0.96 * std::exp2(-5.55473 - 6.98316);
   double const ambient = 0.25 * 0.5 * (1 - 0.0129);
   double const direct = 0.7 * (0.5 * (1 - fresnel) + fresnel * 0.25 * 1.0771);
-  EXPECT_NEAR(shade(V3f(0.5f), kUp, kUp, kUp).x, ambient + direct, 1e-5);
+  EXPECT_NEAR(Shading(kUp, kUp)(V3f(0.5f), kUp).x, ambient + direct, 1e-5);
 }
 
 TEST(Shade, TurnedAwayFromTheLightOnlyTheAmbientRemains) {
-  EXPECT_NEAR(shade(V3f(1), kUp, kUp, -kUp).y, 0.25 * (1 - 0.0129), 1e-5);
-  EXPECT_NEAR(shade(V3f(1), kUp, kUp, kSide).y, 0.25 * (1 - 0.0129), 1e-5);
+  EXPECT_NEAR(Shading(kUp, -kUp)(V3f(1), kUp).y, 0.25 * (1 - 0.0129), 1e-5);
+  EXPECT_NEAR(Shading(kUp, kSide)(V3f(1), kUp).y, 0.25 * (1 - 0.0129), 1e-5);
 }
 
 TEST(Shade, BlackStillShowsTheLobe) {
-  float const value = shade(V3f(0), kUp, kUp, kUp).z;
+  float const value = Shading(kUp, kUp)(V3f(0), kUp).z;
   EXPECT_GT(value, 0.005f);
   EXPECT_LT(value, 0.01f);
 }
 
 TEST(Shade, ChannelsAreIndependent) {
-  V3f const mixed = shade({0.1f, 0.5f, 0.9f}, kUp, kUp, kUp);
-  EXPECT_EQ(mixed.y, shade(V3f(0.5f), kUp, kUp, kUp).y);
+  V3f const mixed = Shading(kUp, kUp)({0.1f, 0.5f, 0.9f}, kUp);
+  EXPECT_EQ(mixed.y, Shading(kUp, kUp)(V3f(0.5f), kUp).y);
 }
 
 TEST(SrgbByte, EveryByteComesBack) {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/measure.h"
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+bool painted(SourceModel const& model) {
+  auto const textured = [](Material const& m) { return m.colour_map.image >= 0; };
+  return !model.colours.empty() || std::any_of(model.materials.begin(), model.materials.end(), textured);
+}
+
+}  // namespace
+
+Reference reference(SurveyedModel const& original, MeasureOptions const& options) {
+  Reference made{options, bounding_sphere(*original.model), {}, {}, has_colour(*original.model)};
+  for (V3d const& direction : directions(options.views, options.count))
+    made.cameras.push_back(camera(made.sphere, direction));
+  made.pictures = render(original, made.cameras, {options.size, options.light, !made.coloured});
+  return made;
+}
+
+std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original) {
+  bool const grey = !original.coloured && !painted(*thumbnail.model);
+  return render(thumbnail, original.cameras, {original.options.size, original.options.light, grey});
+}
+
+}  // namespace vitrine

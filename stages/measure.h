@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// How good a thumbnail is: its pictures against those of its original, from the same cameras. Section 4 of the paper.
+
+#include "stages/compare.h"
+#include "stages/render.h"
+
+namespace vitrine {
+
+struct MeasureOptions {
+  ViewSet views = ViewSet::turntable;
+  int count = 32;
+  int size = 200;
+  Light light = Light::head;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.views, Field{"views", "", "from where both are looked at"});
+    visit(self.count, Field{"count", "views", "how many", 1, 1024});
+    visit(self.size, Field{"size", "pixels", "side of a picture; drawn four times larger, then reduced", 11, 1024});
+    visit(self.light, Field{"light", "", "from the camera, or from its upper left"});
+  }
+};
+
+/// The original's side of every comparison: made once per original.
+struct Reference {
+  MeasureOptions options;
+  BoundingSphere sphere;
+  std::vector<Camera> cameras;
+  std::vector<Image> pictures;
+  bool coloured = false;  ///< has_colour; an original without any is drawn grey
+};
+
+/// Errors: those of bounding_sphere.
+Reference reference(SurveyedModel const& original, MeasureOptions const& options);
+
+/// The thumbnail as the original's cameras see it. Where neither side has a colour both are drawn in one grey; a
+/// thumbnail with a colour texture or vertex colours is drawn as it is.
+std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original);
+
+}  // namespace vitrine
