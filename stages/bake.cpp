@@ -1,2 +1,289 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/bake.h"
+
+#include "stages/clean.h"
+#include "stages/colour.h"
+#include "stages/fill.h"
+#include "stages/occlusion.h"
+#include "stages/parallel.h"
+#include "stages/quantize.h"
+#include "stages/tangent_frame.h"
+#include "stages/texel_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Occlusion rays start this far off the surface, as a share of the bounding box's diagonal.
+constexpr float kOcclusionOffset = 1e-4f;
+
+template <class Value>
+std::array<Value, 3> corners(std::vector<Value> const& values, Triangle const& face) {
+  return {values[face[0]], values[face[1]], values[face[2]]};
+}
+
+V3f face_normal(TriMesh const& mesh, std::uint32_t face) {
+  auto const p = corners(mesh.positions, mesh.triangles[face]);
+  return (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+}
+
+bool has_boundary(TriMesh const& mesh) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (Triangle const& face : mesh.triangles)
+    for (int k = 0; k < 3; ++k) edges.push_back(std::minmax({face[k], face[(k + 1) % 3]}));
+  std::sort(edges.begin(), edges.end());
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    auto const next = std::find_if(edge, edges.end(), [&](auto const& other) { return other != *edge; });
+    if (next - edge == 1) return true;
+    edge = next;
+  }
+  return false;
+}
+
+std::vector<V3f> decoded_normals(TriMesh const& mesh, int bits) {
+  std::vector<V3f> normals = smooth_normals(mesh);
+  for (V3f& normal : normals) normal = quantize_normal(normal, bits);
+  return normals;
+}
+
+/// What is baked, by texel, as the image will store it: sRGB and tangent space, in [0,1].
+struct Layers {
+  Layer colour, normal, occlusion;  // without channels if not wanted
+  std::vector<std::uint8_t> known;  // by texel
+};
+
+class Baker {
+ public:
+  Baker(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options)
+      : atlas_(target.atlas),
+        mesh_(target.atlas.mesh),
+        original_(original),
+        options_(options),
+        side_(int(std::ceil(std::sqrt(double(options.samples))))),
+        diagonal_(bounds(mesh_).size().length()),
+        normals_(decoded_normals(mesh_, target.grid.normal_bits)) {}
+
+  std::vector<V3f> const& normals() const { return normals_; }
+
+  BakeStatistics bake(Layers& layers) const {
+    AtlasRaster const raster(atlas_, side_);
+    return parallel_reduce(
+        raster.tiles(), 1, BakeStatistics{},
+        [&](std::size_t tile, std::size_t) { return bake_tile(raster.sample(tile), layers); },
+        [](BakeStatistics total, BakeStatistics const& part) {
+          total.texels += part.texels;
+          total.samples += part.samples;
+          total.misses += part.misses;
+          return total;
+        });
+  }
+
+ private:
+  /// Place on the original that a sample stands for.
+  struct Match {
+    Hit hit;
+    bool missed = false;
+  };
+
+  V3f position(SurfacePoint const& point) const {
+    auto const p = corners(mesh_.positions, mesh_.triangles[point.face]);
+    return interpolate(p[0], p[1], p[2], point.at);
+  }
+
+  V3f smooth_normal(SurfacePoint const& point) const {
+    auto const n = corners(normals_, mesh_.triangles[point.face]);
+    V3f const normal = interpolate(n[0], n[1], n[2], point.at);
+    return normal.length2() > 0 ? normal.normalized() : face_normal(mesh_, point.face);
+  }
+
+  /// The smooth normal, unless it lies behind the face, as on edges of more than two faces.
+  V3f outwards(SurfacePoint const& point) const {
+    V3f const smooth = smooth_normal(point), flat = face_normal(mesh_, point.face);
+    return smooth.dot(flat) > 0 ? smooth : flat;
+  }
+
+  /// Normal that the client starts from.
+  V3f drawn_normal(SurfacePoint const& point) const {
+    return options_.vertex_normals ? smooth_normal(point) : face_normal(mesh_, point.face);
+  }
+
+  /// Distance between two samples of this face, in model units.
+  float spacing(std::uint32_t face) const {
+    auto const p = corners(mesh_.positions, mesh_.triangles[face]);
+    CornerUvs const& uv = atlas_.corner_uvs[face];
+    float const area = (p[1] - p[0]).cross(p[2] - p[0]).length();
+    float const texels = std::abs((uv[1] - uv[0]).cross(uv[2] - uv[0])) * float(atlas_.width) * float(atlas_.height);
+    return texels > 0 ? std::sqrt(area / texels) / float(side_) : 0;
+  }
+
+  Match match(V3f const& position, V3f const& normal) const {
+    float const reach = float(options_.reach) * diagonal_;
+    auto const outer = original_.scene.first_hit({position, normal, 0, reach, normal});
+    auto const inner = original_.scene.first_hit({position, -normal, 0, outer ? outer->distance : reach, normal});
+    if (inner) return {*inner};
+    if (outer) return {*outer};
+    if (auto const close = original_.scene.closest_point(position, reach, normal)) return {*close, true};
+    return {original_.scene.closest_point(position, kInfinity, {0, 0, 0}).value_or(Hit{}), true};
+  }
+
+  BakeStatistics bake_tile(TexelTile const& tile, Layers& layers) const {
+    BakeStatistics statistics{tile.covered, tile.samples.size(), 0};
+    for (std::size_t t = 0; t + 1 < tile.first.size(); ++t) {
+      if (tile.first[t] == tile.first[t + 1]) continue;
+      std::size_t const texel = (tile.y + t / tile.width) * atlas_.width + tile.x + t % tile.width;
+      layers.known[texel] = 1;
+      statistics.misses += bake_texel(tile, t, texel, layers);
+    }
+    return statistics;
+  }
+
+  /// Returns the number of misses.
+  std::uint64_t bake_texel(TexelTile const& tile, std::size_t t, std::size_t texel, Layers& layers) const {
+    std::uint64_t misses = 0;
+    Rgba sum{}, plain{};
+    V3f normal(0);
+    float seen = 0;
+    std::uint32_t const begin = tile.first[t], end = tile.first[t + 1];
+    int const rays = (options_.occlusion_rays + int(end - begin) - 1) / int(end - begin);
+    for (std::uint32_t s = begin; s < end; ++s) {
+      V3f const side = outwards(tile.samples[s]);
+      Match const found = match(position(tile.samples[s]), side);
+      misses += found.missed;
+      SurfaceSample sample = original_.surface.sample(found.hit, spacing(tile.samples[s].face));
+      if (found.missed && face_normal(original_.model->mesh, found.hit.face).dot(side) < 0)
+        sample.normal = -sample.normal;
+      normal += sample.normal;
+      for (int k = 0; k < 3; ++k) {
+        sum[k] += sample.colour[k] * sample.colour[3];
+        plain[k] += sample.colour[k];
+      }
+      sum[3] += sample.colour[3];
+      if (layers.occlusion.channels > 0)
+        seen += sky_seen(found.hit, sample.normal, rays, std::uint32_t(texel) * 256 + s - begin);
+    }
+    float const count = float(end - begin);
+    if (layers.colour.channels > 0) store_colour(sum, plain, count, layers.colour.at(texel));
+    if (layers.normal.channels > 0) store_normal(tile.centres[t], normal, layers.normal.at(texel));
+    if (layers.occlusion.channels > 0) *layers.occlusion.at(texel) = seen / count;
+    return misses;
+  }
+
+  float sky_seen(Hit const& hit, V3f const& normal, int rays, std::uint32_t pattern) const {
+    TriMesh const& mesh = original_.model->mesh;
+    auto const p = corners(mesh.positions, mesh.triangles[hit.face]);
+    V3f const point = interpolate(p[0], p[1], p[2], Barycentric{hit.u, hit.v});
+    return visibility(original_.scene, point, normal, kOcclusionOffset * diagonal_, rays, pattern);
+  }
+
+  static void store_colour(Rgba const& sum, Rgba const& plain, float count, float* texel) {
+    for (int k = 0; k < 3; ++k) texel[k] = linear_to_srgb(sum[3] > 0 ? sum[k] / sum[3] : plain[k] / count);
+    texel[3] = sum[3] / count;
+  }
+
+  void store_normal(SurfacePoint const& centre, V3f const& sum, float* texel) const {
+    V3f const drawn = drawn_normal(centre);
+    auto const p = corners(mesh_.positions, mesh_.triangles[centre.face]);
+    TangentFrame const frame = client_frame(p, atlas_.corner_uvs[centre.face], drawn);
+    V3f const m = to_tangent_space(frame, sum.length2() > 0 ? sum.normalized() : drawn);
+    for (int k = 0; k < 3; ++k) texel[k] = m[k] * 0.5f + 0.5f;
+  }
+
+  Atlas const& atlas_;
+  TriMesh const& mesh_;
+  SurveyedModel const& original_;
+  BakeOptions const& options_;
+  int side_;
+  float diagonal_;
+  std::vector<V3f> normals_;
+};
+
+/// The first `channels` of the layer.
+Image to_image(Layer const& layer, int channels, ColourSpace space) {
+  Image image{layer.width, layer.height, channels, space, {}};
+  std::size_t const texels = std::size_t(layer.width) * layer.height;
+  image.texels.reserve(texels * channels);
+  for (std::size_t t = 0; t < texels; ++t)
+    for (int k = 0; k < channels; ++k) image.texels.push_back(to_byte(layer.at(t)[k]));
+  return image;
+}
+
+Image grey_image(Layer const& layer) {
+  Layer grey(layer.width, layer.height, 3);
+  for (std::size_t i = 0; i < grey.values.size(); ++i) grey.values[i] = linear_to_srgb(layer.values[i / 3]);
+  return to_image(grey, 3, ColourSpace::srgb);
+}
+
+bool all_opaque(Image const& image) {
+  for (std::size_t i = 3; i < image.texels.size(); i += 4)
+    if (image.texels[i] != 255) return false;
+  return true;
+}
+
+void drop_alpha(Image& image) {
+  std::size_t const texels = image.texels.size() / 4;
+  for (std::size_t t = 0; t < texels; ++t)
+    for (int k = 0; k < 3; ++k) image.texels[3 * t + k] = image.texels[4 * t + k];
+  image.texels.resize(3 * texels);
+  image.channels = 3;
+}
+
+/// The model without any map.
+BakedModel drawn_plain(QuantizedAtlas const& target, SurveyedModel const& original) {
+  BakedModel model;
+  model.mesh = target.atlas.mesh;
+  model.grid = target.grid;
+  model.origin = original.model->origin;
+  model.base_colour = original.surface.uniform_colour();
+  model.alpha = model.base_colour[3] < 1 ? original.surface.alpha() : AlphaMode::opaque;
+  model.unlit = original.surface.unlit();
+  model.double_sided = original.surface.double_sided() || has_boundary(model.mesh);
+  return model;
+}
+
+Layers wanted_layers(Atlas const& atlas, SurveyedModel const& original, BakeOptions const& options) {
+  auto const layer = [&](bool wanted, int channels) {
+    return wanted ? Layer(atlas.width, atlas.height, channels) : Layer();
+  };
+  return {layer(original.surface.coloured(), 4), layer(options.normal_map && !original.surface.unlit(), 3),
+          layer(options.occlusion != Occlusion::none && !has_colour(*original.model), 1),
+          std::vector<std::uint8_t>(std::size_t(atlas.width) * atlas.height)};
+}
+
+void store_images(Layers const& layers, BakeOptions const& options, AlphaMode alpha, BakedModel& model) {
+  if (layers.colour.channels > 0) {
+    model.base_colour = {1, 1, 1, 1};
+    model.colour = to_image(layers.colour, 4, ColourSpace::srgb);
+    model.alpha = all_opaque(*model.colour) ? AlphaMode::opaque : alpha;
+    if (model.alpha == AlphaMode::opaque) drop_alpha(*model.colour);
+  }
+  if (layers.normal.channels > 0) model.normal = to_image(layers.normal, 3, ColourSpace::linear);
+  if (layers.occlusion.channels > 0 && options.occlusion == Occlusion::occlusion)
+    model.occlusion = to_image(layers.occlusion, 1, ColourSpace::linear);
+  if (layers.occlusion.channels > 0 && options.occlusion == Occlusion::colour)
+    model.colour = grey_image(layers.occlusion);
+}
+
+}  // namespace
+
+BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options) {
+  Baker const baker(target, original, options);
+  BakedModel model = drawn_plain(target, original);
+  if (options.vertex_normals && !model.unlit) model.normals = baker.normals();
+  Layers layers = wanted_layers(target.atlas, original, options);
+  if (layers.colour.channels + layers.normal.channels + layers.occlusion.channels == 0) return model;
+  model.corner_uvs = target.atlas.corner_uvs;
+  model.statistics = baker.bake(layers);
+  for (Layer* layer : {&layers.colour, &layers.normal, &layers.occlusion})
+    if (layer->channels > 0) fill_unknown(*layer, layers.known);
+  store_images(layers, options, original.surface.alpha(), model);
+  return model;
+}
+
+}  // namespace vitrine

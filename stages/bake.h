@@ -20,9 +20,10 @@ struct EnumNames<Occlusion> {
 };
 
 struct BakeOptions {
-  int samples = 9;          ///< per texel; a square number
-  double reach = 0.05;      ///< how far normals shoot, as a share of the bounding box's diagonal
+  int samples = 9;      ///< per texel; a square number
+  double reach = 0.05;  ///< how far normals shoot, as a share of the bounding box's diagonal
   bool normal_map = true;
+  bool vertex_normals = true;
   Occlusion occlusion = Occlusion::none;
   int occlusion_rays = 64;  ///< per texel
 
@@ -31,16 +32,23 @@ struct BakeOptions {
     visit(self.samples, Field{"samples", "per texel", "rounded up to a square number", 1, 256});
     visit(self.reach, Field{"reach", "box diagonals", "how far rays look for the original", 1e-4, 1});
     visit(self.normal_map, Field{"normal-map", "", "bake the original's normals"});
-    visit(self.occlusion, Field{"ao", "", "ambient occlusion for models without colour: as glTF occlusion, or as grey colour"});
+    visit(self.vertex_normals, Field{"vertex-normals", "", "store smooth normals; without them clients draw facets"});
+    visit(self.occlusion,
+          Field{"ao", "", "ambient occlusion for models without colour: as glTF occlusion, or as grey colour"});
     visit(self.occlusion_rays, Field{"ao-rays", "rays", "per texel", 4, 4096});
   }
 };
 
-/// Shoots each sample along the interpolated normal, outwards and inwards, and takes the nearer hit whose normal agrees
-/// (dot > 0); where none does, the closest point of agreeing orientation, then any closest point.
-/// Out:    vertex normals for the quantised mesh (as the client decodes them), maps as large as the atlas, every covered
-///         texel written, the rest filled by smooth extrapolation; no colour map for models of one colour; normals in
-///         the client's frame (tangent_frame.h). In tiles, in parallel, the same at any thread count.
+/// Shoots each sample along the interpolated normal, outwards and inwards, and takes the nearer hit on a face whose
+/// normal agrees (dot > 0), so that the far side of a sheet never counts; where there is none, the closest point of
+/// agreeing orientation within reach, then any closest point. Colours are averaged in linear light, weighted by their
+/// coverage. Out:    vertex normals for the quantised mesh, as the client decodes them; maps as large as the atlas:
+/// every texel that
+///         a client reads for a point of a chart has that chart's values, the rest is filled smoothly. No colour map
+///         for models of one colour or none; alpha only where something is transparent; normals in the client's frame
+///         (tangent_frame.h), none for unlit models. Double-sided if the original is, or the mesh has a boundary.
+///         The same bytes at any thread count.
+/// Cost:   two rays a sample, tiles of the texture in parallel; 12 floats a texel at most.
 BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options = {});
 
 }  // namespace vitrine
