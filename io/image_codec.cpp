@@ -20,6 +20,8 @@ using Bytes = std::span<std::byte const>;
 
 char const* const supply = "supply the image as PNG or JPEG";
 
+std::string first_line(std::string const& text) { return text.substr(0, text.find('\n')); }
+
 [[noreturn]] void refuse(ErrorKind kind, std::string const& what) { throw Error(kind, what, supply); }
 
 // ---- Which format: by content, since archives misname their textures ------------------------------------------------
@@ -111,7 +113,7 @@ std::unique_ptr<Reader> open(Bytes bytes, std::string const& format, ReadLimits 
   OIIO::ImageSpec spec, config;
   config["oiio:UnassociatedAlpha"] = 1;
   if (!reader->input->open("", spec, config))
-    refuse(ErrorKind::invalid_input, "damaged " + format + " image: " + reader->input->geterror());
+    refuse(ErrorKind::invalid_input, "damaged " + format + " image: " + first_line(reader->input->geterror()));
   OIIO::ImageSpec const& found = reader->input->spec();
   check_size(found.width, found.height, bytes.size(), limits);
   if (found.tile_pixels() > limits.texels || found.depth > 1 || found.nchannels < 1)
@@ -149,7 +151,8 @@ void read_texels(OIIO::ImageInput& input, Image& image) {
   std::string const complaint = input.has_error() ? input.geterror() : "";
   bool const harmless = complaint.empty() || complaint.find("extraneous bytes") != std::string::npos;
   if (!complete || !harmless)
-    refuse(ErrorKind::invalid_input, std::string("damaged ") + input.format_name() + " image: " + complaint);
+    refuse(ErrorKind::invalid_input,
+           std::string("damaged ") + input.format_name() + " image: " + first_line(complaint));
 }
 
 // ---- WebP -----------------------------------------------------------------------------------------------------------
@@ -192,8 +195,7 @@ std::vector<std::byte> encode_webp(Image const& image, int quality) {
   require(WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, static_cast<float>(quality)),
           "libwebp refuses its own preset");
   config.method = 6;
-  config.use_sharp_yuv =
-      image.space == ColourSpace::srgb;  // it weighs luma in linear light, which is wrong for normals
+  config.use_sharp_yuv = 1;
   config.exact = 0;
   config.thread_level = 0;
   WebPPicture picture;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// The images of a model while it is read. Internal to io.
+
+#include "io/read_model.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::io {
+
+/// Decodes each image once for each colour space it is used in, within the limit on all texels of the model.
+class Textures {
+ public:
+  Textures(SourceModel& model, ReadLimits const& limits) : model_(model), texels_left_(limits.texels) {}
+
+  using Fetch = std::function<std::optional<Blob>()>;
+
+  /// The image's index in the model. A file that is missing, leads out of the folder or is damaged costs the model only
+  /// this texture: -1, and a note.
+  int take(std::string const& name, ColourSpace space, Fetch const& fetch);
+
+ private:
+  struct Taken {
+    std::string name;
+    ColourSpace space;
+    int image;
+  };
+  SourceModel& model_;
+  std::uint64_t texels_left_;
+  std::vector<Taken> taken_;
+};
+
+}  // namespace vitrine::io
