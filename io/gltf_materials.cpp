@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine::io {
+namespace {
+
+Wrap wrap_of(GltfJson const* sampler, char const* key) {
+  std::uint64_t const mode = sampler ? whole(*sampler, key).value_or(10497) : 10497;
+  if (mode == 33071) return Wrap::clamp;
+  return mode == 33648 ? Wrap::mirror : Wrap::repeat;
+}
+
+/// Scale, then turn anticlockwise about (0, 0) as seen with v downwards, then shift. Source: KHR_texture_transform.
+std::array<float, 6> uv_matrix(GltfJson const& transform) {
+  auto const offset = reals<2>(transform, "offset", {0, 0}), scale = reals<2>(transform, "scale", {1, 1});
+  double const turn = real(transform, "rotation", 0), c = std::cos(turn), s = std::sin(turn);
+  auto const f = [](double value) { return static_cast<float>(value); };
+  return {f(c * scale[0]), f(s * scale[1]), f(offset[0]), f(-s * scale[0]), f(c * scale[1]), f(offset[1])};
+}
+
+std::uint64_t uv_set_of(GltfJson const& texture_info) {
+  GltfJson const* const transform = extension(texture_info, "KHR_texture_transform");
+  std::optional<std::uint64_t> const moved = transform ? whole(*transform, "texCoord") : std::nullopt;
+  return moved ? *moved : whole(texture_info, "texCoord").value_or(0);
+}
+
+/// Whether the factor is another colour than white when shown with 8 bits: (254.5 / 255) in linear light.
+bool is_tint(Rgba const& factor) {
+  return std::any_of(factor.begin(), factor.begin() + 3, [](float c) { return c < 0.99554f; });
+}
+
+Rgba colour_of(std::array<double, 4> const& factor) {
+  Rgba colour;
+  std::transform(factor.begin(), factor.end(), colour.begin(),
+                 [](double c) { return static_cast<float>(std::clamp(c, 0.0, 1.0)); });
+  return colour;
+}
+
+void read_alpha(GltfJson const& description, Material& material) {
+  std::string const mode = string(description, "alphaMode");
+  material.alpha = mode == "MASK" ? AlphaMode::mask : mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+  material.alpha_cutoff = static_cast<float>(real(description, "alphaCutoff", 0.5));
+}
+
+bool emits(GltfJson const& description) {
+  auto const factor = reals<3>(description, "emissiveFactor", {0, 0, 0});
+  return std::any_of(factor.begin(), factor.end(), [](double c) { return c > 0; });
+}
+
+}  // namespace
+
+GltfMaterials::Entry GltfMaterials::take(std::optional<std::uint64_t> number) {
+  if (auto const found = taken_.find(number); found != taken_.end()) return found->second;
+  if (taken_.empty()) model_.materials.clear();
+  if (model_.materials.size() > std::numeric_limits<std::uint16_t>::max())
+    throw Error(ErrorKind::limit_exceeded, "more than 65536 materials", "merge materials before");
+  Entry entry;
+  entry.index = static_cast<std::uint16_t>(model_.materials.size());
+  model_.materials.push_back(number ? read(gltf_.item("materials", *number), entry.uv_set) : Material{});
+  taken_.emplace(number, entry);
+  return entry;
+}
+
+Material GltfMaterials::read(GltfJson const& description, std::uint64_t& uv_set) {
+  Material material;
+  material.name = string(description, "name");
+  GltfJson const* factors = member(description, "pbrMetallicRoughness");
+  char const *factor_key = "baseColorFactor", *map_key = "baseColorTexture";
+  if (GltfJson const* const glossy = extension(description, "KHR_materials_pbrSpecularGlossiness");
+      glossy && !factors) {
+    factors = glossy;
+    factor_key = "diffuseFactor";
+    map_key = "diffuseTexture";
+    model_.notes.push_back("material \"" + material.name +
+                           "\": the diffuse colour of its specular-glossiness model is drawn");
+  }
+  GltfJson const* const colour_map = factors ? member(*factors, map_key) : nullptr;
+  GltfJson const* const normal_map = member(description, "normalTexture");
+  if (factors) material.base_colour = colour_of(reals<4>(*factors, factor_key, {1, 1, 1, 1}));
+  if (colour_map) material.colour_map = use(*colour_map, ColourSpace::srgb);
+  if (colour_map || normal_map) uv_set = uv_set_of(colour_map ? *colour_map : *normal_map);
+  if (normal_map && uv_set_of(*normal_map) != uv_set)
+    model_.notes.push_back("normal map of material \"" + material.name +
+                           "\" left out: it has texture coordinates of its own");
+  else if (normal_map)
+    material.normal_map = use(*normal_map, ColourSpace::linear);
+  if (normal_map) material.normal_scale = static_cast<float>(real(*normal_map, "scale", 1));
+  if (emits(description)) model_.notes.push_back("emission of material \"" + material.name + "\" is not drawn");
+  read_alpha(description, material);
+  material.coloured = material.colour_map.image >= 0 || is_tint(material.base_colour);
+  material.unlit = extension(description, "KHR_materials_unlit") != nullptr;
+  material.double_sided = flag(description, "doubleSided");
+  return material;
+}
+
+/// WebP where the file offers it, else what it offers everybody.
+std::optional<std::uint64_t> GltfMaterials::image_of(GltfJson const& texture) const {
+  GltfJson const* const webp = extension(texture, "EXT_texture_webp");
+  return whole(webp ? *webp : texture, "source");
+}
+
+TextureUse GltfMaterials::use(GltfJson const& info, ColourSpace space) {
+  GltfJson const& texture = gltf_.item("textures", required(info, "index"));
+  TextureUse result;
+  std::optional<std::uint64_t> const source = image_of(texture);
+  if (!source) {
+    model_.notes.push_back("a texture left out: none of its image formats is read");
+    return result;
+  }
+  GltfJson const& image = gltf_.item("images", *source);
+  std::string const uri = string(image, "uri");
+  std::string const name = uri.empty() || uri.starts_with("data:") ? "image " + std::to_string(*source) : uri;
+  result.image = textures_.take(name, space, [&]() -> std::optional<Blob> {
+    if (!uri.empty()) return gltf_.fetch(uri);
+    return Blob{gltf_.view(required(image, "bufferView")).bytes, nullptr};
+  });
+  std::optional<std::uint64_t> const sampler = whole(texture, "sampler");
+  GltfJson const* const modes = sampler ? &gltf_.item("samplers", *sampler) : nullptr;
+  result.wrap_u = wrap_of(modes, "wrapS");
+  result.wrap_v = wrap_of(modes, "wrapT");
+  if (GltfJson const* const transform = extension(info, "KHR_texture_transform")) result.matrix = uv_matrix(*transform);
+  return result;
+}
+
+}  // namespace vitrine::io

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// glTF materials, textures and samplers. Internal to io.
+
+#include "io/gltf_file.h"
+#include "io/textures.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace vitrine::io {
+
+/// The materials of a model as primitives ask for them, each read once.
+class GltfMaterials {
+ public:
+  GltfMaterials(GltfFile& gltf, SourceModel& model) : gltf_(gltf), model_(model), textures_(model, gltf.limits()) {}
+
+  struct Entry {
+    std::uint16_t index = 0;   ///< into SourceModel::materials
+    std::uint64_t uv_set = 0;  ///< the TEXCOORD that its textures use
+  };
+
+  /// Nothing: glTF's default material, white. Errors: InvalidInput for a material, texture or image that is not there.
+  Entry take(std::optional<std::uint64_t> material);
+
+ private:
+  Material read(GltfJson const& description, std::uint64_t& uv_set);
+  TextureUse use(GltfJson const& texture_info, ColourSpace space);
+  std::optional<std::uint64_t> image_of(GltfJson const& texture) const;
+
+  GltfFile& gltf_;
+  SourceModel& model_;
+  Textures textures_;
+  std::map<std::optional<std::uint64_t>, Entry> taken_;
+};
+
+}  // namespace vitrine::io
