@@ -15,14 +15,18 @@ struct SegmentOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.feature_share, Field{"feature-share", "of the edges", "edges with the sharpest dihedral angles that bound charts", 0, 1});
-    visit(self.min_chart_faces, Field{"min-chart-faces", "faces", "merge charts smaller than this into a neighbour", 1, 1e6});
+    visit(self.feature_share,
+          Field{"feature-share", "of the edges", "edges with the sharpest dihedral angles that bound charts", 0, 1});
+    visit(self.min_chart_faces,
+          Field{"min-chart-faces", "faces", "merge charts smaller than this into a neighbour", 1, 1e6});
   }
 };
 
-/// Out:    every face in exactly one chart; each chart connected over edges with exactly two faces and a topological
-///         disk (Euler characteristic 1, one boundary loop, no pinched vertex); deterministic. Charts are merged while
-///         the union stays a disk and flat enough to unfold with little stretch: fewer, larger charts waste fewer texels.
+/// Out:    every face in exactly one chart; each chart by itself a topological disk (connected over edges that two of
+///         its faces run through in opposite directions, Euler characteristic 1, one boundary loop, no pinched vertex);
+///         deterministic. Charts are merged while the union stays a disk and flat enough to unfold with little stretch:
+///         fewer, larger charts waste fewer texels. Where more than two faces meet at an edge, the flattest pairs
+///         belong together, so that a non-manifold mesh falls into sheets and not into single faces.
 /// Errors: none for a mesh that passes check(); a single triangle is a disk.
 /// Cost:   O(f log f).
 ChartedMesh segment(TriMesh const& mesh, SegmentOptions const& options = {});

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Flattens one chart; parameterize runs it over all of them, segment asks it whether two charts may become one.
+
+#include "stages/data.h"
+
+namespace vitrine {
+
+/// A disk laid flat. Area equal to that in space; seen with v down, as images are, front faces are counter-clockwise.
+struct FlatDisk {
+  std::vector<V2f> uvs;      ///< n, of the disk's vertices
+  double stretch = 1;        ///< L2 stretch of Sander et al. 2001 (1: isometric)
+  double area_spread = 1;    ///< largest scale of areas to smallest, save 2 % of the area at either end
+  bool folded = false;       ///< a face lies on its back
+  bool overlapping = false;  ///< the boundary crosses itself
+};
+
+/// Least-squares conformal map of a disk. Source: Levy et al. 2002, section 3; pins: the two farthest boundary
+/// vertices. Faces without area take part as slivers of a millionth of their length. Never NaN.
+FlatDisk flatten(TriMesh const& disk);
+
+}  // namespace vitrine
