@@ -2,6 +2,7 @@
 #include "io/write_glb.h"
 
 #include "io/gltf_geometry.h"
+#include "io/map_codec.h"
 #include "stages/error.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ WrittenGeometry write_geometry(GltfDocument& document, VertexMesh const& mesh, G
 
 /// Embeds a map; returns its glTF reference and adds its bytes to `bytes`.
 Json write_map(GltfDocument& document, Image const& image, ImageQuality const& quality, std::size_t& bytes) {
-  EncodedImage const coded = encode_image(image, quality);
+  EncodedImage const coded = encode_map(image, quality);
   bytes += coded.bytes.size();
   std::size_t const source =
       add(document.json, "images", {{"bufferView", document.add_view(coded.bytes)}, {"mimeType", coded.mime}});

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Which coding a map gets.
+
+#include "io/image_codec.h"
+#include "stages/data.h"
+
+namespace vitrine::io {
+
+/// `map` in the coding asked for; or, where halved chroma makes up a third or more of that one's error (hard edges
+/// between colours, fine relief in normals), as JPEG with full chroma, if that is nearer to `map` in no more bytes.
+EncodedImage encode_map(Image const& map, ImageQuality const& quality);
+
+}  // namespace vitrine::io
