@@ -11,9 +11,9 @@
 namespace vitrine {
 
 enum class Profile {
-  web,     ///< Draco geometry, WebP maps
+  web,     ///< Draco geometry, WebP maps (JPEG where halved chroma would show)
   plain,   ///< no decoder needed: quantised buffers, JPEG colour, PNG normals
-  meshopt  ///< EXT_meshopt_compression geometry, WebP maps
+  meshopt  ///< EXT_meshopt_compression geometry, maps as for web
 };
 template <>
 struct EnumNames<Profile> {

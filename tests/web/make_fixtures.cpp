@@ -5,11 +5,13 @@
 
 #include "io/publish.h"
 #include "io/write_glb.h"
+#include "stages/tangent_frame.h"
 #include "tests/support/delivered.h"
 #include "tests/support/meshes.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -67,7 +69,8 @@ Fixture unlit() {
              pixel(0.5, -0.5, {255, 255, 255})}}}};
 }
 
-/// The left half is cut out, but for a quarter of a texel at either end (cutoff 0.25; textures repeat): 16.5 of 32 remain.
+/// The left half is cut out, but for a quarter of a texel at either end (cutoff 0.25; textures repeat): 16.5 of 32
+/// remain.
 Fixture cut_out() {
   BakedModel model = quad();
   model.alpha = AlphaMode::mask;
@@ -97,6 +100,44 @@ Fixture cube(std::string name, V3d const& origin) {
   return {std::move(name), model, {{"coverage", 0.16}, {"pixels", {pixel(0, 0, {124, 124, 124})}}}};
 }
 
+/// How a quad lies in its texture: (u, v) = (1/2, 1/2) + matrix * (x, y).
+struct Chart {
+  char const* name;
+  float matrix[4];
+};
+constexpr Chart kCharts[] = {{"straight", {0.4f, 0, 0, -0.4f}},
+                             {"mirrored", {-0.4f, 0, 0, -0.4f}},
+                             {"turned", {0.15f, 0.26f, 0.26f, -0.15f}},
+                             {"sheared", {0.3f, 0.2f, 0.05f, -0.15f}}};
+
+/// A quad whose normal map says, in the frame that clients build for this chart, that it is tilted; drawn with vertex
+/// normals that lean elsewhere, or flat. It must shade as a surface with that normal.
+Fixture tilted(Chart const& chart, bool flat) {
+  BakedModel model = quad();
+  for (std::size_t f = 0; f < 2; ++f)
+    for (std::size_t c = 0; c < 3; ++c) {
+      V3f const& p = model.mesh.positions[model.mesh.triangles[f][c]];
+      float const* m = chart.matrix;
+      model.corner_uvs[f][c] = V2f(0.5f + m[0] * p.x + m[1] * p.y, 0.5f + m[2] * p.x + m[3] * p.y);
+    }
+  V3f const leaning = V3f(-0.2f, 0.1f, 1).normalized(), wanted = V3f(0.35f, 0.2f, 1).normalized();
+  if (flat)
+    model.normals.clear();
+  else
+    model.normals.assign(4, leaning);
+  std::array<V3f, 3> const corners{model.mesh.positions[0], model.mesh.positions[1], model.mesh.positions[2]};
+  TangentFrame const frame = client_frame(corners, model.corner_uvs[0], flat ? V3f(0, 0, 1) : leaning);
+  V3f const m = to_tangent_space(frame, wanted);
+  std::vector<std::uint8_t> texel;
+  for (unsigned k = 0; k < 3; ++k) texel.push_back(static_cast<std::uint8_t>(std::lround(127.5f + 127.5f * m[k])));
+  model.colour = plain_image(32, {200, 200, 200}, ColourSpace::srgb);
+  model.normal = plain_image(32, texel, ColourSpace::linear);
+  return {
+      std::string(chart.name) + (flat ? "_flat" : "_smooth"),
+      model,
+      {{"coverage", 0.64}, {"light", {0.9, -0.5, 0.5}}, {"shadesAs", {wanted.x, wanted.y, wanted.z}}, {"within", 2}}};
+}
+
 Fixture charts() {
   BakedModel model = test::random_model(7, 64, 32);
   model.colour = plain_image(64, {180, 90, 45}, ColourSpace::srgb);
@@ -113,9 +154,12 @@ int main(int count, char** arguments) {
     return 2;
   }
   std::filesystem::path const folder = arguments[1];
+  std::vector<Fixture> fixtures{
+      unlit(), cut_out(), occluded(), charts(), cube("cube", {0, 0, 0}), cube("far_cube", {4e6, -5e5, 3e6 + 0.125})};
+  for (Chart const& chart : kCharts)
+    for (bool flat : {false, true}) fixtures.push_back(tilted(chart, flat));
   Json expected = Json::array();
-  for (Fixture const& fixture :
-       {unlit(), cut_out(), occluded(), cube("cube", {0, 0, 0}), cube("far_cube", {4e6, -5e5, 3e6 + 0.125}), charts()})
+  for (Fixture const& fixture : fixtures)
     for (Profile profile : {Profile::web, Profile::plain, Profile::meshopt}) {
       std::string const file =
           fixture.name + "." + std::string(EnumNames<Profile>::names[static_cast<std::size_t>(profile)]) + ".glb";

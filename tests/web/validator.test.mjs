@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every GLB of the folder $VITRINE_WEB_GLBS is free of errors and warnings in the Khronos validator.
+// Every GLB of the folder $VITRINE_WEB_GLBS is free of errors and warnings in the Khronos validator, but for one warning.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -8,13 +8,16 @@ import { validateBytes } from 'gltf-validator';
 
 import { glbs } from './fixtures.mjs';
 
-const NAMES = ['errors', 'warnings', 'infos', 'hints'];
+// Said of any normal map without TANGENT. The bake reckons with the frame that clients then build (stages/tangent_frame.h).
+const ACCEPTED = 'MESH_PRIMITIVE_GENERATED_TANGENT_SPACE';
+
+const SEVERITIES = ['error', 'warning'];
 
 async function issues(bytes) {
   const report = await validateBytes(new Uint8Array(bytes), { maxIssues: 100 });
   return report.issues.messages
-    .filter(({ severity }) => severity <= 1)
-    .map(({ severity, code, pointer, message }) => `${NAMES[severity]}: ${code} ${pointer ?? ''}: ${message}`);
+    .filter(({ severity, code }) => severity <= 1 && code !== ACCEPTED)
+    .map(({ severity, code, pointer, message }) => `${SEVERITIES[severity]}: ${code} ${pointer ?? ''}: ${message}`);
 }
 
 for (const file of glbs()) {
@@ -23,9 +26,12 @@ for (const file of glbs()) {
   });
 }
 
-test('the validator sees a wrong bound', async () => {
+test('the validator sees a wrong bound', async (t) => {
   const plain = glbs().find((file) => file.endsWith('cube.plain.glb'));
-  if (!plain) return;
+  if (!plain) {
+    t.skip('no fixture here');
+    return;
+  }
   const bytes = fs.readFileSync(plain);
   const digit = bytes.indexOf('"max":[') + '"max":['.length;
   bytes[digit] = bytes[digit] === 0x31 ? 0x32 : 0x31;
