@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/write_glb.h"
 
+#include "io/mesh_codec.h"
+#include "io/read_model.h"
 #include "stages/error.h"
 #include "tests/support/delivered.h"
 #include "tests/support/meshes.h"
@@ -218,6 +220,20 @@ TEST(WriteGlb, BuffersDequantiseToTheGrid) {
       snap_to(model.grid, mesh);
       EXPECT_EQ(test::corners(mesh), test::corners(split_vertices(model)));
     }
+}
+
+TEST(WriteGlb, OurOwnReaderFindsTheSameMesh) {
+  for (Profile profile : kProfiles) {
+    BakedModel model = test::random_model(2);
+    model.origin = {1e6, -2e6, 3e6};
+    Resolve const nothing = [](std::string_view) { return std::nullopt; };
+    SourceModel const read = read_gltf(own(encode(model, "", {profile}).glb), nothing);
+    VertexMesh mesh{read.mesh.positions, {}, read.uvs, read.mesh.triangles};
+    V3f const shift(read.origin - model.origin);
+    for (V3f& p : mesh.positions) p += shift;
+    snap_to(model.grid, mesh);
+    EXPECT_EQ(test::corners(mesh), test::corners(split_vertices(model)));
+  }
 }
 
 TEST(WriteGlb, StatesTheBoundsOfStoredIntegers) {
