@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/sample/objects.h"
+#include "io/read_model.h"
+#include "tests/support/folders.h"
+#include "tools/sample/write.h"
 
 #include <gmock/gmock.h>
 
@@ -7,6 +9,8 @@
 #include <map>
 
 namespace vitrine::sample {
+
+void PrintTo(Object const& object, std::ostream* stream) { *stream << object.name; }
 namespace {
 
 constexpr std::uint64_t kSmall = 6000;
@@ -99,6 +103,20 @@ TEST_P(EachObject, IsClosedWhereItSaysSoAndShowsItsOutside) {
 TEST_P(EachObject, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_EQ(small_scan(GetParam(), 3).positions, small_scan(GetParam(), 3).positions);
   EXPECT_NE(small_scan(GetParam(), 3).positions, small_scan(GetParam(), 4).positions);
+}
+
+TEST_P(EachObject, IsReadBackAsWritten) {
+  test::TemporaryFolder const folder;
+  Object const& object = GetParam();
+  Scan const scanned = small_scan(object);
+  auto const file = folder.path() / write(folder.path(), object, "object", scanned);
+  SourceModel const model =
+      io::read_model(ending(object.format), io::map_file(file), io::resolve_in(file.parent_path()));
+  EXPECT_EQ(model.mesh.triangles.size(), scanned.triangles);
+  EXPECT_EQ(has_colour(model), object.colour != Colour::none);
+  Box3f box;
+  for (V3f const& p : scanned.positions) box.extendBy(p);
+  EXPECT_LT((bounds(model.mesh).center() - box.center()).length(), 1e-4f * box.size().length());
 }
 
 INSTANTIATE_TEST_SUITE_P(Sample, EachObject, testing::ValuesIn(objects().begin(), objects().end()),

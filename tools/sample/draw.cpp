@@ -21,9 +21,17 @@ double strokes(V2d p, std::initializer_list<Stroke> list) {
   return nearest;
 }
 
-V3d catmull_rom(V3d const& a, V3d const& b, V3d const& c, V3d const& d, double t) {
-  return b + (c - a) * (0.5 * t) + (a * 2 - b * 5 + c * 4 - d) * (0.5 * t * t) +
-         (b * 3 - a - c * 3 + d) * (0.5 * t * t * t);
+/// Direction of travel at b, by the chords about it; the shorter one counts more. At a corner (a doubled point): from
+/// one side.
+V3d tangent(V3d const& a, V3d const& b, V3d const& c) {
+  double const before = (b - a).length(), after = (c - b).length();
+  if (before == 0 || after == 0) return (c - a).normalized();
+  return (b - a) / before * (after / (before + after)) + (c - b) / after * (before / (before + after));
+}
+
+V3d hermite(V3d const& b, V3d const& c, V3d const& leave, V3d const& arrive, double t) {
+  double const s = 1 - t;
+  return b * (s * s * (1 + 2 * t)) + leave * (s * s * t) - arrive * (t * t * s) + c * (t * t * (1 + 2 * s));
 }
 
 }  // namespace
@@ -122,10 +130,14 @@ Figure horse(V2d p) {
 Curve::Curve(std::vector<V3d> points) {
   constexpr int kSteps = 48;
   std::size_t const n = points.size();
-  for (std::size_t i = 0; i + 1 < n; ++i)
-    for (int s = 0; s < kSteps; ++s)
-      samples_.push_back(catmull_rom(points[i > 0 ? i - 1 : 0], points[i], points[i + 1],
-                                     points[std::min(i + 2, n - 1)], double(s) / kSteps));
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    V3d const &b = points[i], &c = points[i + 1];
+    double const length = (c - b).length();
+    if (length == 0) continue;
+    V3d const leave = tangent(points[i > 0 ? i - 1 : 0], b, c) * length,
+              arrive = tangent(b, c, points[std::min(i + 2, n - 1)]) * length;
+    for (int s = 0; s < kSteps; ++s) samples_.push_back(hermite(b, c, leave, arrive, double(s) / kSteps));
+  }
   samples_.push_back(points.back());
   lengths_.push_back(0);
   for (std::size_t i = 1; i < samples_.size(); ++i)

@@ -43,7 +43,7 @@ struct Figure {
 Figure warrior(V2d p);
 Figure horse(V2d p);
 
-/// Smooth curve through points (centred Catmull-Rom), by arc length: at(0) first point, at(1) last. A doubled point is
+/// Smooth curve through points (cubic pieces), by arc length: at(0) first point, at(1) last. A doubled point is
 /// a corner.
 class Curve {
  public:

@@ -6,7 +6,7 @@
 namespace vitrine::sample {
 
 io::EncodedImage encode_texture(Scan const& scan, Colour colour) {
-  int const width = int(std::bit_ceil(std::clamp(std::uint32_t(2 * std::sqrt(double(scan.triangles))), 512u, 4096u)));
+  int const width = int(std::bit_ceil(std::clamp(std::uint32_t(2 * std::sqrt(double(scan.triangles))), 256u, 4096u)));
   auto const codec = colour == Colour::jpeg ? io::ImageCodec::jpeg : io::ImageCodec::png;
   return io::encode_image(texture(scan, width), {codec, 92, true});
 }

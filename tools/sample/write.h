@@ -20,7 +20,7 @@ void write_off(std::filesystem::path const& path, Scan const& scan);
 void write_obj(std::filesystem::path const& path, Scan const& scan, Colour colour);
 void write_glb(std::filesystem::path const& path, Scan const& scan, Colour colour);
 
-/// The paint as an image file (JPEG or PNG), as wide as the triangles deserve: 512 to 4096 texels.
+/// The paint as an image file (JPEG or PNG), as wide as the triangles deserve: 256 to 4096 texels.
 io::EncodedImage encode_texture(Scan const& scan, Colour colour);
 
 /// The file name's ending of a format, with the dot.
