@@ -89,7 +89,11 @@ Triangle placed(Triangle const& t, std::vector<std::uint32_t> const& places) {
 
 bool collapsed(Triangle const& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-bool is_finite(V3f const& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+/// Whether a point is near enough that squares of lengths stay finite in float.
+bool has_place(V3f const& p) {
+  float const farthest = 1e18f;
+  return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;
+}
 
 /// Along the normal, twice as long as the face's area.
 V3d area_vector(TriMesh const& mesh, Triangle const& t) {
@@ -128,11 +132,11 @@ std::uint64_t drop_faces(SourceModel& model, Keep const& keep) {
 std::uint64_t drop_faces_without_place(SourceModel& model) {
   std::vector<V3f> const& positions = model.mesh.positions;
   std::uint64_t lost = 0;
-  for (V3f const& p : positions) lost += !is_finite(p);
+  for (V3f const& p : positions) lost += !has_place(p);
   if (lost == 0) return 0;
   drop_faces(model, [&](std::size_t f) {
     Triangle const& t = model.mesh.triangles[f];
-    return is_finite(positions[t[0]]) && is_finite(positions[t[1]]) && is_finite(positions[t[2]]);
+    return has_place(positions[t[0]]) && has_place(positions[t[1]]) && has_place(positions[t[2]]);
   });
   return lost;
 }

@@ -48,6 +48,12 @@ TEST(Clean, DropsTheFacesOfAVertexWithoutAPlace) {
   EXPECT_THAT(result.model.colours, SizeIs(4));
 }
 
+TEST(Clean, HoldsNoPlaceBeyondTheSquareRootOfFloat) {
+  SourceModel model = test::plain_model(test::two_shells());
+  model.mesh.positions[0].x = -2e18f;
+  EXPECT_EQ(clean(model).repairs.nonfinite_vertices, 1u);
+}
+
 TEST(Clean, DropsFacesWithoutArea) {
   SourceModel model = test::plain_model(test::triangle());
   model.mesh.positions.insert(model.mesh.positions.end(), {{1, 0, 0}, {0.1f, 0.2f, 0.7f}, {0.3f, 0.6f, 2.1f}});
