@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// Quadric edge collapse.
-/// Source: Garland & Heckbert 1997, "Surface Simplification Using Quadric Error Metrics"; Limper et al. 2015, section 3.1.
+/// Source: Garland & Heckbert 1997, "Surface Simplification Using Quadric Error Metrics"; Limper et al. 2015,
+/// section 3.1.
 
 #include "stages/data.h"
 #include "stages/options.h"
@@ -26,17 +27,19 @@ struct SimplifyOptions {
   static void fields(Self& self, Visitor&& visit) {
     visit(self.triangles, Field{"triangles", "triangles", "simplify each model to at most this many", 4, 1e6});
     visit(self.max_error, Field{"max-error", "box diagonals", "stop before the surface moves farther than this", 0, 1});
-    visit(self.decimator, Field{"decimator", "", "edge collapse: our own with optimal placement, or OpenMesh's as in the paper"});
+    visit(self.decimator,
+          Field{"decimator", "", "edge collapse: our own with optimal placement, or OpenMesh's as in the paper"});
   }
 };
 
 /// Simplifies a welded mesh to options.triangles faces.
-/// In:     n vertices, f faces; may be open, non-manifold, of many components. Components too small to be seen are
-///         dropped before the rest would lose detail to them.
+/// In:     n vertices, f faces; may be open, non-manifold, of many components. A small component vanishes once that
+///         harms less than to coarsen the rest: it counts as a move by its own size. Dust does not eat the budget.
 /// Out:    at most options.triangles faces, or a stop reason; no face flipped, none without area; boundaries held by
-///         perpendicular planes; the mesh is compact (no unused vertex).
+///         perpendicular planes; topology kept while that reaches the target, and where it is manifold; the mesh is
+///         compact (no unused vertex) and not empty.
 /// Errors: none beyond std::bad_alloc: what cannot be collapsed stays, and `stop` says so.
-/// Cost:   O(n log n), some 150 bytes per face.
+/// Cost:   near O(n), 130 bytes per face and 1.2 us of one thread.
 SimplifiedMesh simplify(TriMesh const& mesh, SimplifyOptions const& options = {});
 
 }  // namespace vitrine
