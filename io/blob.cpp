@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/blob.h"
 
+#include "io/text_scanner.h"
 #include "stages/error.h"
 
 #include <fcntl.h>
@@ -27,7 +28,7 @@ Error unreadable(fs::path const& path, std::string const& why) {
 std::string last_reason() { return std::generic_category().message(errno); }
 
 Error leads_out(std::string_view reference, std::string const& how) {
-  return Error(ErrorKind::invalid_input, "the model names \"" + std::string(reference) + "\", which " + how,
+  return Error(ErrorKind::invalid_input, "the model names " + shown(reference) + ", which " + how,
                "put the file beside the model and name it relative to the model's folder");
 }
 

@@ -95,7 +95,7 @@ Error TextScanner::error(std::string const& what, std::string remedy) const {
 
 std::string shown(std::string_view word) {
   std::string result = "\"";
-  for (char c : word.substr(0, 40)) result += c >= ' ' && c <= '~' ? c : '?';
+  for (char c : word.substr(0, 40)) result += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? '?' : c;
   return result + (word.size() > 40 ? "…\"" : "\"");
 }
 

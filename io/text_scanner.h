@@ -58,7 +58,7 @@ class TextScanner {
   char comment_;
 };
 
-/// A word as errors show it: at most 40 bytes, printable.
+/// A word as errors show it: at most 40 bytes, without control characters.
 std::string shown(std::string_view word);
 
 /// A number as errors show it: whole ones without a fraction.
