@@ -16,7 +16,7 @@ namespace vitrine::graph {
 /// One model on its way. Only the node that holds the message touches it.
 struct Job {
   io::ArchiveEntry const* entry = nullptr;
-  io::Estimate estimate;
+  std::uint64_t memory = 0;  ///< bytes that it was admitted with
   ModelRow row;
 };
 using JobPtr = std::shared_ptr<Job>;

@@ -20,6 +20,9 @@
 namespace vitrine::graph {
 namespace {
 
+/// What the program holds before the first model and between models: OpenImageIO's 258 libraries are most of it.
+constexpr std::uint64_t kProgramMemory = 150'000'000;
+
 namespace flow = tbb::flow;
 namespace fs = std::filesystem;
 
@@ -96,13 +99,13 @@ Published publish_thumbnail(EncodedThumbnail const& thumbnail, fs::path const& g
 JobPtr arrive(io::ArchiveEntry const& entry) {
   auto job = std::make_shared<Job>();
   job->entry = &entry;
-  job->estimate = io::estimate(entry);
+  job->memory = entry.estimate.memory;
   ModelRow& row = job->row;
   row.input = entry.path;
   row.slug = entry.slug;
   row.metadata = entry.metadata;
   row.input_bytes = entry.bytes;
-  row.memory = job->estimate.memory;
+  row.memory = job->memory;
   auto const title = entry.metadata.find("title");
   bool const titled = title != entry.metadata.end() && !title->second.empty();
   row.title = titled ? title->second : fs::path(entry.path).stem().string();
@@ -136,7 +139,8 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
                                    Watcher const& finished) {
   std::size_t const threads =
       run.threads > 0 ? std::size_t(run.threads) : std::size_t(tbb::info::default_concurrency());
-  std::uint64_t const memory = run.memory ? run.memory : default_memory();
+  std::uint64_t const allowed = run.memory ? run.memory : default_memory();
+  std::uint64_t const memory = allowed > kProgramMemory ? allowed - kProgramMemory : 0;
   tbb::global_control const width(tbb::global_control::max_allowed_parallelism, threads);
 
   struct Left {
@@ -165,14 +169,14 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
       admission.release(left->memory);
     } else {
       JobPtr const& job = std::get<JobPtr>(event);
-      if (!admission.fits_at_all(job->estimate.memory)) job->estimate.memory = 0;  // only its refusal passes through
+      if (!admission.fits_at_all(job->memory)) job->memory = 0;  // only its refusal passes through
       waiting[number(job)] = job;
-      admission.wait(number(job), job->estimate.memory);
+      admission.wait(number(job), job->memory);
     }
     for (std::size_t id : admission.admit()) {
       JobPtr job = std::move(waiting[id]);
       Message<Admitted> message{job, std::make_shared<Admitted const>()};
-      if (job->estimate.memory == 0) message.value = too_large(job->row.memory, memory);
+      if (job->memory == 0) message.value = too_large(job->row.memory + kProgramMemory, allowed);
       std::get<0>(out).try_put(message);
     }
   });
@@ -204,7 +208,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
                                                           std::size_t const id = number(message.job);
                                                           rows[id] = finish(message);
                                                           if (finished) finished(rows[id], id);
-                                                          return Left{message.job->estimate.memory};
+                                                          return Left{message.job->memory};
                                                         });
 
   flow::make_edge(discover, admit);

@@ -43,7 +43,7 @@ void option_groups(Self& self, Visitor&& visit) {
 /// How the run uses the machine. None of it changes what comes out.
 struct RunOptions {
   int threads = 0;           ///< 0: all cores
-  std::uint64_t memory = 0;  ///< bytes for the models under way; 0: default_memory()
+  std::uint64_t memory = 0;  ///< bytes that the program may take; 0: default_memory()
   std::filesystem::path gallery;
 };
 

@@ -180,6 +180,7 @@ Archive read_archive(fs::path const& root, ArchiveOptions const& options) {
   std::sort(archive.notes.begin(), archive.notes.end());
   if (fs::path const catalogue = root / kCatalogue; fs::is_regular_file(catalogue, error))
     read_catalogue(catalogue, archive);
+  for (ArchiveEntry& entry : archive.entries) entry.estimate = estimate(entry);
   return archive;
 }
 

@@ -13,6 +13,12 @@ namespace vitrine::io {
 
 enum class UpAxis { y, z };
 
+/// What a model will take, guessed from headers before anything is read whole.
+struct Estimate {
+  std::uint64_t triangles = 0;
+  std::uint64_t memory = 0;   ///< bytes at the peak of the pipeline
+};
+
 /// One model of the archive.
 struct ArchiveEntry {
   std::string path;             ///< relative to the archive's root, '/' between folders, as the file system spells it
@@ -21,6 +27,7 @@ struct ArchiveEntry {
   std::string slug;             ///< from the path: [a-z0-9-], at most 60; then '-' and 8 hex digits of the path's xxHash
   UpAxis up = UpAxis::y;
   std::map<std::string, std::string> metadata;  ///< archive.csv's further columns: title, credit, licence, link, …
+  Estimate estimate{};
 };
 
 struct ArchiveOptions {
@@ -38,11 +45,7 @@ struct Archive {
 /// Errors: InvalidInput when root is no folder, or archive.csv is malformed (with its line).
 Archive read_archive(std::filesystem::path const& root, ArchiveOptions const& options = {});
 
-/// What a model will take, guessed from headers before anything is read whole.
-struct Estimate {
-  std::uint64_t triangles = 0;
-  std::uint64_t memory = 0;   ///< bytes at the peak of the pipeline
-};
+/// Reads headers only; a damaged file is judged by its size.
 Estimate estimate(ArchiveEntry const& entry);
 
 }  // namespace vitrine::io

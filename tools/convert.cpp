@@ -31,7 +31,7 @@ std::string printable(std::string text) {
 /// Expected time of each model, in any unit: a constant share and one by size.
 std::vector<double> costs(io::Archive const& archive) {
   std::vector<double> costs;
-  for (io::ArchiveEntry const& entry : archive.entries) costs.push_back(3e5 + double(io::estimate(entry).triangles));
+  for (io::ArchiveEntry const& entry : archive.entries) costs.push_back(3e5 + double(entry.estimate.triangles));
   return costs;
 }
 

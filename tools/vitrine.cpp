@@ -34,7 +34,7 @@ Verb convert_verb(CLI::App& app) {
   app.add_option("--exclude", command->reading.exclude, "pass over paths that match; may be repeated")
       ->type_name("GLOB");
   app.add_option("--threads", command->run.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
-  app.add_option("--memory", command->run.memory, "for the models under way (default: 80 % of what is free)")
+  app.add_option("--memory", command->run.memory, "that the program may take (default: 80 % of what is free)")
       ->transform(CLI::AsSizeValue(true))
       ->type_name("SIZE");
   std::map<std::string, io::MtlKd> const kd{{"ignore", io::MtlKd::ignore}, {"multiply", io::MtlKd::multiply}};
