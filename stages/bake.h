@@ -42,12 +42,13 @@ struct BakeOptions {
 /// Shoots each sample along the interpolated normal, outwards and inwards, and takes the nearer hit on a face whose
 /// normal agrees (dot > 0), so that the far side of a sheet never counts; where there is none, the closest point of
 /// agreeing orientation within reach, then any closest point. Colours are averaged in linear light, weighted by their
-/// coverage. Out:    vertex normals for the quantised mesh, as the client decodes them; maps as large as the atlas:
-/// every texel that
-///         a client reads for a point of a chart has that chart's values, the rest is filled smoothly. No colour map
-///         for models of one colour or none; alpha only where something is transparent; normals in the client's frame
-///         (tangent_frame.h), none for unlit models. Double-sided if the original is, or the mesh has a boundary.
-///         The same bytes at any thread count.
+/// coverage.
+///
+/// Out:    vertex normals for the quantised mesh, as the client decodes them; maps as large as the atlas, in which
+///         every texel that a client reads for a point of a chart has its values, and the rest is filled smoothly.
+///         No colour map for models of one colour or none; alpha only where something is transparent; normals in the
+///         client's frame (tangent_frame.h), none for unlit models. Double-sided if the original is, or the mesh has a
+///         boundary. The same bytes at any thread count.
 /// Cost:   two rays a sample, tiles of the texture in parallel; 12 floats a texel at most.
 BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options = {});
 

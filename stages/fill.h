@@ -19,7 +19,8 @@ struct Layer {
 };
 
 /// Replaces the values of texels that are not `known` (height x width, 0 or 1); the others stay as they are.
-/// Source: push-pull, Gortler et al. 1996, "The Lumigraph", section 3.4.
+/// Source: push-pull, Gortler et al. 1996, "The Lumigraph", section 3.4; each level is then relaxed towards the
+/// smoothest surface through the known texels.
 void fill_unknown(Layer& layer, std::vector<std::uint8_t> const& known);
 
 }  // namespace vitrine

@@ -15,6 +15,7 @@ constexpr int kTile = 32;
 constexpr double kReach2 = 2;            // square of the distance from which bilinear lookup reads a texel
 constexpr double kCircumscribed2 = 0.5;  // of the circle about a texel's square
 constexpr double kOnEdge = 1e-9;         // barycentric: samples on an edge belong to one of its faces, not to none
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNoFace = 0xffffffffu;
 
 /// A face in texels.
@@ -58,23 +59,25 @@ Range rows_of(FlatFace const& f, int begin, int end) { return {f.a.y, f.a.y + f.
 struct Drawing {
   int side;
   std::vector<SurfacePoint> samples, centres;  // side x side by texel; one by texel
-  std::vector<double> distances;               // square of the centre's
+  std::vector<double> distances;               // of the centre, along the longer axis as bilinear lookup counts
 
   Drawing(std::size_t texels, int per_side)
       : side(per_side),
         samples(texels * per_side * per_side, SurfacePoint{kNoFace, {}}),
         centres(texels),
-        distances(texels, kReach2) {}
+        distances(texels, kUnreached) {}
 
   void draw(FlatFace const& flat, std::uint32_t face, V2d const& corner, std::size_t texel) {
     V2d const from = corner + V2d(0.5) - flat.a;
     Barycentric const closest = closest_on_triangle(from, flat.ab, flat.ac);
-    double const distance = (from - flat.ab * closest.u - flat.ac * closest.v).length2();
+    V2d const gap = from - flat.ab * closest.u - flat.ac * closest.v;
+    if (gap.length2() >= kReach2) return;
+    double const distance = std::max(std::abs(gap.x), std::abs(gap.y));
     if (distance < distances[texel]) {
       distances[texel] = distance;
       centres[texel] = {face, closest};
     }
-    if (distance > kCircumscribed2) return;
+    if (gap.length2() > kCircumscribed2) return;
     SurfacePoint* slot = &samples[texel * side * side];
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x, ++slot) {
@@ -123,7 +126,7 @@ TexelTile AtlasRaster::sample(std::size_t index) const {
                  [](SurfacePoint const& sample) { return sample.face != kNoFace; });
     if (tile.samples.size() > tile.first.back())
       ++tile.covered;
-    else if (drawing.distances[t] < kReach2)
+    else if (drawing.distances[t] < kUnreached)
       tile.samples.push_back(tile.centres[t]);
   }
   tile.first.push_back(std::uint32_t(tile.samples.size()));

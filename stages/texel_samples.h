@@ -27,7 +27,8 @@ struct TexelTile {
 };
 
 /// Cuts an atlas into tiles that can be sampled at once. The atlas must outlive it.
-/// Where charts meet a sample belongs to the lowest face that covers it, a centre to the lowest of the closest.
+/// Where charts meet a sample belongs to the lowest face that covers it, a centre to the lowest of the closest, which
+/// is the chart that reads it when charts are two texels apart.
 class AtlasRaster {
  public:
   /// `side`: samples per texel form a regular grid of side x side.

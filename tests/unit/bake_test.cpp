@@ -152,6 +152,28 @@ TEST(Bake, AThinPlateKeepsItsSidesApart) {
     for (int x = 2; x < 14; ++x) EXPECT_EQ(texel(*model.colour, x, y), (std::array<int, 3>{255, 0, 0}));
 }
 
+TEST(Bake, BilinearLookupInsideAChartReadsNoOtherChart) {
+  TriMesh const mesh = test::two_shells();
+  float const middle = bounds(mesh).center().x;
+  auto const red = [&](V3f p) { return p.x < middle; };
+  auto const source = coloured(mesh, [&](V3f p) { return red(p) ? Rgba{1, 0, 0, 1} : Rgba{0, 0, 1, 1}; });
+  int const size = 64;
+  QuantizedAtlas const target = quantized(test::scattered_atlas(mesh, size));
+  BakedModel const model = bake(target, surveyed(source), only_colour());
+  for (std::size_t f = 0; f < target.atlas.mesh.triangles.size(); ++f) {
+    bool const is_red = red(target.atlas.mesh.positions[target.atlas.mesh.triangles[f][0]]);
+    for (int i = 0; i <= 10; ++i)
+      for (int j = 0; i + j <= 10; ++j) {
+        CornerUvs const& uv = target.atlas.corner_uvs[f];
+        V2f const at = (uv[0] + (uv[1] - uv[0]) * ((float(i) + 0.01f) / 10.03f) +
+                        (uv[2] - uv[0]) * ((float(j) + 0.01f) / 10.03f)) *
+                       float(size);
+        for (int k = 0; k < 4; ++k)
+          ASSERT_EQ(texel(*model.colour, int(at.x - 0.5f) + k % 2, int(at.y - 0.5f) + k / 2)[0], is_red ? 255 : 0);
+      }
+  }
+}
+
 TEST(Bake, OutOfReachTheClosestPointIsUsedAndCounted) {
   auto const source = coloured(square(), [](V3f p) { return Rgba{p.x, 0, 0, 1}; });
   TriMesh far = square();
