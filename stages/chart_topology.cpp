@@ -5,7 +5,6 @@
 #include <numeric>
 #include <queue>
 #include <tuple>
-#include <unordered_map>
 
 namespace vitrine {
 namespace {
@@ -96,6 +95,20 @@ std::size_t count_vertices(std::span<Triangle const> triangles) {
 }
 
 std::string name(HalfEdge const& h) { return std::to_string(h.low) + "-" + std::to_string(h.high); }
+
+/// Steps over edges from `start` to each face.
+std::vector<double> steps_from(FaceAdjacency const& adjacency, std::uint32_t start) {
+  std::vector<double> steps(adjacency.across.size(), -1);
+  std::queue<std::uint32_t> front;
+  steps[start] = 0;
+  for (front.push(start); !front.empty(); front.pop())
+    for (std::uint32_t neighbour : adjacency.across[front.front()])
+      if (neighbour != kNone && steps[neighbour] < 0) {
+        steps[neighbour] = steps[front.front()] + 1;
+        front.push(neighbour);
+      }
+  return steps;
+}
 
 }  // namespace
 
@@ -214,6 +227,21 @@ std::uint32_t grow_disks(TriMesh const& mesh, FaceAdjacency const& adjacency, st
   return charts;
 }
 
+std::vector<std::vector<std::uint32_t>> cut_disk(TriMesh const& disk) {
+  FaceAdjacency const adjacency = face_adjacency(disk);
+  auto const farthest = [](std::vector<double> const& steps) {
+    return std::uint32_t(std::ranges::max_element(steps) - steps.begin());
+  };
+  std::uint32_t const one_end = farthest(steps_from(adjacency, 0));
+  std::vector<double> priority = steps_from(adjacency, one_end);
+  std::uint32_t const other_end = farthest(priority);
+  std::vector<double> const from_other = steps_from(adjacency, other_end);
+  for (std::size_t f = 0; f < priority.size(); ++f) priority[f] = -std::min(priority[f], from_other[f]);
+  std::vector<std::uint32_t> face_charts;
+  std::uint32_t const charts = grow_disks(disk, adjacency, std::array{one_end, other_end}, priority, face_charts);
+  return faces_of_charts(face_charts, charts);
+}
+
 std::vector<std::vector<std::uint32_t>> faces_of_charts(std::span<std::uint32_t const> face_charts,
                                                         std::uint32_t charts) {
   std::vector<std::vector<std::uint32_t>> faces(charts);
@@ -222,16 +250,15 @@ std::vector<std::vector<std::uint32_t>> faces_of_charts(std::span<std::uint32_t 
 }
 
 TriMesh submesh(TriMesh const& mesh, std::span<std::uint32_t const> faces) {
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t f : faces) vertices.insert(vertices.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
+  std::ranges::sort(vertices);
+  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
   TriMesh part;
-  std::unordered_map<std::uint32_t, std::uint32_t> local;
+  for (std::uint32_t v : vertices) part.positions.push_back(mesh.positions[v]);
   for (std::uint32_t f : faces) {
-    Triangle& t = part.triangles.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t const v = mesh.triangles[f][i];
-      auto const [entry, is_new] = local.try_emplace(v, std::uint32_t(part.positions.size()));
-      if (is_new) part.positions.push_back(mesh.positions[v]);
-      t[i] = entry->second;
-    }
+    Triangle& t = part.triangles.emplace_back(mesh.triangles[f]);
+    for (std::uint32_t& v : t) v = std::uint32_t(std::ranges::lower_bound(vertices, v) - vertices.begin());
   }
   return part;
 }

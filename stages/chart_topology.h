@@ -39,11 +39,14 @@ bool keeps_disk(TriMesh const& mesh, FaceAdjacency const& adjacency, std::span<s
 std::uint32_t grow_disks(TriMesh const& mesh, FaceAdjacency const& adjacency, std::span<std::uint32_t const> seeds,
                          std::span<double const> priority, std::vector<std::uint32_t>& face_charts);
 
+/// Cuts a disk of at least two faces into disks, at least two, grown from two faces far apart; the faces of each.
+std::vector<std::vector<std::uint32_t>> cut_disk(TriMesh const& disk);
+
 /// Faces of each chart, in ascending order.
 std::vector<std::vector<std::uint32_t>> faces_of_charts(std::span<std::uint32_t const> face_charts,
                                                         std::uint32_t charts);
 
-/// The given faces as a mesh of their own; vertices in order of first use.
+/// The given faces as a mesh of their own; vertices in ascending order.
 TriMesh submesh(TriMesh const& mesh, std::span<std::uint32_t const> faces);
 
 }  // namespace vitrine

@@ -48,42 +48,52 @@ PlanarFace lay_flat(std::array<V3d, 3> const& p, double unit) {
   return face;
 }
 
-std::vector<PlanarFace> lay_faces_flat(TriMesh const& disk) {
-  Box3f const box = bounds(disk);
-  double const size = (V3d(box.max) - V3d(box.min)).length(), unit = kThinnest * (size > 0 ? size : kThinnest);
+std::vector<PlanarFace> lay_faces_flat(TriMesh const& disk, double size) {
   std::vector<PlanarFace> faces;
   faces.reserve(disk.triangles.size());
   for (auto const& [a, b, c] : disk.triangles)
-    faces.push_back(lay_flat({V3d(disk.positions[a]), V3d(disk.positions[b]), V3d(disk.positions[c])}, unit));
+    faces.push_back(
+        lay_flat({V3d(disk.positions[a]), V3d(disk.positions[b]), V3d(disk.positions[c])}, kThinnest * size));
   return faces;
 }
 
 /// The boundary as a loop of vertices, front faces on its left.
 std::vector<std::uint32_t> boundary_loop(TriMesh const& disk) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges, reversed;
+  struct HalfEdge {
+    std::uint64_t edge;  ///< its lower vertex, then its higher one
+    std::uint32_t from, to;
+  };
+  std::vector<HalfEdge> half_edges;
+  half_edges.reserve(3 * disk.triangles.size());
   for (Triangle const& t : disk.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      edges.emplace_back(t[i], t[(i + 1) % 3]);
-      reversed.emplace_back(t[(i + 1) % 3], t[i]);
+      auto const [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+      half_edges.push_back({std::uint64_t{low} << 32 | high, t[i], t[(i + 1) % 3]});
     }
-  std::ranges::sort(edges);
-  std::ranges::sort(reversed);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> border;
-  std::ranges::set_difference(edges, reversed, std::back_inserter(border));
+  std::ranges::sort(half_edges, {}, &HalfEdge::edge);
   std::vector<std::uint32_t> next(disk.positions.size()), loop;
-  for (auto const& [from, to] : border) next[from] = to;
-  for (std::size_t i = 0; i < border.size(); ++i) loop.push_back(i == 0 ? border[0].first : next[loop.back()]);
+  std::size_t borders = 0;
+  for (std::size_t i = 0; i < half_edges.size(); ++i) {
+    if (i + 1 < half_edges.size() && half_edges[i].edge == half_edges[i + 1].edge) {
+      ++i;  // between two faces
+      continue;
+    }
+    next[half_edges[i].from] = half_edges[i].to;
+    if (borders++ == 0) loop.push_back(half_edges[i].from);
+  }
+  while (loop.size() < borders) loop.push_back(next[loop.back()]);
   return loop;
 }
 
 /// The two vertices of the loop that are farthest apart in space; the first such pair.
 std::pair<std::uint32_t, std::uint32_t> farthest_pair(TriMesh const& disk, std::vector<std::uint32_t> const& loop) {
+  std::vector<V3d> points;
+  for (std::uint32_t v : loop) points.emplace_back(disk.positions[v]);
   std::pair<std::uint32_t, std::uint32_t> best{loop[0], loop[1]};
   double distance = -1;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    for (std::size_t j = i + 1; j < loop.size(); ++j)
-      if (double const d = (V3d(disk.positions[loop[i]]) - V3d(disk.positions[loop[j]])).length2(); d > distance)
-        distance = d, best = {loop[i], loop[j]};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j)
+      if (double const d = (points[i] - points[j]).length2(); d > distance) distance = d, best = {loop[i], loop[j]};
   return best;
 }
 
@@ -155,7 +165,9 @@ bool cross_each_other(Complex a, Complex b, Complex c, Complex d) {
 /// Sweeps the edges from left to right. A map without folds whose boundary is simple covers each point once.
 bool boundary_crosses_itself(std::vector<std::uint32_t> const& loop, std::vector<V2f> const& uvs) {
   std::size_t const n = loop.size();
-  auto const at = [&](std::size_t i) { return plane(uvs[loop[i % n]]); };
+  std::vector<Complex> points;
+  for (std::size_t i = 0; i <= n; ++i) points.push_back(plane(uvs[loop[i % n]]));
+  auto const at = [&](std::size_t i) { return points[i]; };
   std::vector<std::pair<double, std::size_t>> edges;  // left end, index in the loop
   for (std::size_t i = 0; i < n; ++i) edges.emplace_back(std::min(at(i).real(), at(i + 1).real()), i);
   std::ranges::sort(edges);
@@ -199,6 +211,7 @@ void measure(TriMesh const& disk, std::vector<PlanarFace> const& faces, FlatDisk
   Imath::Box2f box;
   for (V2f const& uv : flat.uvs) box.extendBy(uv);
   double const extent = Imath::V2d(box.size()).length();
+  flat.length = std::max(box.size().x, box.size().y);
   double sum = 0, area = 0;
   std::vector<std::pair<double, double>> scales;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -218,13 +231,20 @@ void measure(TriMesh const& disk, std::vector<PlanarFace> const& faces, FlatDisk
 
 }  // namespace
 
+bool lies_flat(FlatDisk const& flat, FlatLimits const& limits) {
+  return !flat.folded && !flat.overlapping && flat.stretch <= limits.stretch && flat.area_spread <= limits.area_spread;
+}
+
 FlatDisk flatten(TriMesh const& disk) {
   FlatDisk flat;
-  std::vector<PlanarFace> const faces = lay_faces_flat(disk);
+  flat.uvs.assign(disk.positions.size(), V2f(0));
+  Box3f const box = bounds(disk);
+  double const size = (V3d(box.max) - V3d(box.min)).length();
+  if (size == 0) return flat;  // a dot
+  std::vector<PlanarFace> const faces = lay_faces_flat(disk, size);
   std::vector<std::uint32_t> const loop = boundary_loop(disk);
   std::vector<Complex> const uv = conformal_map(disk, faces, farthest_pair(disk, loop));
   if (uv.empty()) {
-    flat.uvs.assign(disk.positions.size(), V2f(0));
     flat.folded = true;
     return flat;
   }

@@ -182,21 +182,20 @@ std::optional<Layout> place_boxes(std::vector<Shape> const& shapes, std::vector<
   return layout;
 }
 
-/// The largest scale at which place(scale) finds a layout, and that layout: down from `start`, or up, then by
-/// bisection.
+/// The largest scale between the given ones at which place(scale) finds a layout, and that layout: from `start` down
+/// or up by steps, then by bisection. 0 if there is none.
 template <class Place>
-std::pair<double, Layout> largest_scale(double start, double smallest, Place const& place) {
-  double fits = 0, too_large = std::numeric_limits<double>::infinity();
+std::pair<double, Layout> largest_scale(double start, double smallest, double largest, Place const& place) {
+  double fits = 0, too_large = largest;
   Layout best;
-  for (double scale = start; too_large > fits * kScalePrecision;) {
+  for (double scale = std::min(start, largest); too_large > fits * kScalePrecision && scale >= kStep * smallest;) {
     if (std::optional<Layout> layout = place(scale)) {
       fits = scale;
       best = std::move(*layout);
     } else {
       too_large = scale;
     }
-    if (fits == 0 && scale < smallest) break;
-    scale = fits == 0 ? scale * kStep : std::isinf(too_large) ? scale / kStep : std::sqrt(fits * too_large);
+    scale = fits == 0 ? scale * kStep : std::min(fits / kStep, std::sqrt(fits * too_large));
   }
   return {fits, std::move(best)};
 }
@@ -211,7 +210,8 @@ double likely_scale(std::vector<Shape> const& shapes, std::vector<V2d> const& up
   }
   double const dots = double(shapes.size()) * (gutter + 1) * (gutter + 1);
   double const room = std::max(kUsualFill * side * side - dots, 1.0);
-  return 2 * room / (rim + std::sqrt(rim * rim + 4 * area * room));
+  double const slope = rim + std::sqrt(rim * rim + 4 * area * room);
+  return slope > 0 ? 2 * room / slope : 1;
 }
 
 std::size_t texels_covered(Atlas const& atlas) {
@@ -229,7 +229,7 @@ std::size_t texels_covered(Atlas const& atlas) {
 Atlas pack(FlatCharts const& charts, PackOptions const& options) {
   std::vector<Shape> const shapes = shapes_of(charts);
   std::vector<V2d> upright;
-  double largest = std::numeric_limits<double>::min();
+  double largest = 0;
   for (Shape const& shape : shapes) {
     upright.push_back(upright_turn(shape));
     V2d const size = box_of(shape, upright.back()).size();
@@ -240,8 +240,9 @@ Atlas pack(FlatCharts const& charts, PackOptions const& options) {
     return options.packing == Packing::shapes ? place_shapes(shapes, upright, scale, side, options.gutter)
                                               : place_boxes(shapes, upright, scale, side, options.gutter);
   };
-  auto const [scale, layout] =
-      largest_scale(likely_scale(shapes, upright, side, options.gutter), kSmallest / largest, place);
+  double const unit = largest > 0 ? largest : 1;
+  auto const [scale, layout] = largest_scale(likely_scale(shapes, upright, side, options.gutter), kSmallest / unit,
+                                             std::numbers::sqrt2 * side / unit, place);
   if (scale == 0)
     throw Error(ErrorKind::limit_exceeded,
                 std::to_string(charts.charts) + " charts with a gutter of " + std::to_string(options.gutter) +

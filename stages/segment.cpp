@@ -2,23 +2,20 @@
 #include "stages/segment.h"
 
 #include "stages/chart_topology.h"
+#include "stages/flatten.h"
+#include "stages/merge_charts.h"
+#include "stages/straighten.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <queue>
-#include <set>
 #include <tuple>
 #include <utility>
 
 namespace vitrine {
 namespace {
-
-constexpr double kMaxDeviation =
-    0.3;  ///< 1 - length of the mean normal of a merged chart: 0 is flat, a half cylinder has 0.36
-constexpr double kRoundness = 0.1;  ///< weight of the outline's roundness against the deviation of normals
 
 struct Geometry {
   std::vector<V3d> area_normal;                    ///< f, length = area
@@ -99,104 +96,26 @@ std::vector<std::uint32_t> local_maxima(FaceAdjacency const& adjacency, std::vec
   return maxima;
 }
 
-/// Merges charts two by two, those whose union is flattest and roundest first.
-class Merger {
- public:
-  Merger(TriMesh const& mesh, FaceAdjacency const& adjacency, Geometry const& geometry,
-         std::vector<std::uint32_t>& face_charts, std::uint32_t count, std::size_t min_faces)
-      : mesh_(mesh), geometry_(geometry), face_charts_(face_charts), min_faces_(min_faces), charts_(count) {
-    auto const faces = faces_of_charts(face_charts, count);
-    for (std::uint32_t c = 0; c < count; ++c) {
-      charts_[c].faces = faces[c];
-      for (std::uint32_t f : faces[c]) {
-        charts_[c].area += geometry.area_normal[f].length();
-        charts_[c].area_normal += geometry.area_normal[f];
-        for (std::size_t i = 0; i < 3; ++i) {
-          std::uint32_t const other = adjacency.across[f][i];
-          if (other != kNone && face_charts[other] == c) continue;
-          charts_[c].perimeter += geometry.edge_length[f][i];
-          if (other != kNone) charts_[c].shared[face_charts[other]] += geometry.edge_length[f][i];
-        }
+/// Cuts charts that do not lie flat until each of them does; a single face always does.
+void cut_folded(TriMesh const& mesh, std::vector<std::uint32_t>& face_charts, std::uint32_t& charts) {
+  std::vector<std::vector<std::uint32_t>> waiting = faces_of_charts(face_charts, charts);
+  while (!waiting.empty()) {
+    std::vector<std::uint32_t> const faces = std::move(waiting.back());
+    waiting.pop_back();
+    if (faces.size() < 2) continue;
+    TriMesh const disk = submesh(mesh, faces);
+    if (lies_flat(flatten(disk), kEasyToUnfold)) continue;
+    std::vector<std::vector<std::uint32_t>> parts = cut_disk(disk);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      std::uint32_t const chart = p == 0 ? face_charts[faces[0]] : charts++;
+      for (std::uint32_t& f : parts[p]) {
+        f = faces[f];
+        face_charts[f] = chart;
       }
+      waiting.push_back(std::move(parts[p]));
     }
   }
-
-  void run() {
-    for (std::uint32_t a = 0; a < charts_.size(); ++a)
-      for (auto const& [b, length] : charts_[a].shared)
-        if (a < b) propose(a, b);
-    while (!queue_.empty()) {
-      Proposal const p = queue_.top();
-      queue_.pop();
-      if (charts_[p.a].version == p.version_a && charts_[p.b].version == p.version_b && union_is_disk(p.a, p.b)) {
-        merge(p.a, p.b);
-        for (auto const& [other, length] : charts_[p.a].shared) propose(p.a, other);
-      }
-    }
-  }
-
- private:
-  struct Chart {
-    std::vector<std::uint32_t> faces;
-    std::map<std::uint32_t, double> shared;  ///< neighbouring chart -> length of the common seam
-    V3d area_normal{0, 0, 0};
-    double area = 0, perimeter = 0;
-    std::uint32_t version = 0;  ///< counts changes; proposals about an older one are void
-  };
-  struct Proposal {
-    double cost;
-    std::uint32_t a, b, version_a, version_b;
-    bool operator<(Proposal const& other) const {
-      return std::tie(other.cost, other.a, other.b) < std::tie(cost, a, b);
-    }
-  };
-
-  void propose(std::uint32_t a, std::uint32_t b) {
-    if (a > b) std::swap(a, b);
-    Chart const &x = charts_[a], &y = charts_[b];
-    double const area = x.area + y.area;
-    double const deviation = area > 0 ? 1 - (x.area_normal + y.area_normal).length() / area : 0;
-    bool const tiny = std::min(x.faces.size(), y.faces.size()) < min_faces_;
-    if (deviation > (tiny ? 2 : 1) * kMaxDeviation) return;
-    double const perimeter = x.perimeter + y.perimeter - 2 * x.shared.at(b);
-    double const roundness = area > 0 ? perimeter / std::sqrt(4 * std::numbers::pi * area) - 1 : 0;
-    queue_.push({deviation + kRoundness * roundness, a, b, x.version, y.version});
-  }
-
-  bool union_is_disk(std::uint32_t a, std::uint32_t b) const {
-    std::vector<Triangle> triangles;
-    for (std::uint32_t c : {a, b})
-      for (std::uint32_t f : charts_[c].faces) triangles.push_back(mesh_.triangles[f]);
-    return disk_defect(triangles).empty();
-  }
-
-  void merge(std::uint32_t a, std::uint32_t b) {
-    Chart &into = charts_[a], &from = charts_[b];
-    for (std::uint32_t f : from.faces) face_charts_[f] = a;
-    into.faces.insert(into.faces.end(), from.faces.begin(), from.faces.end());
-    into.perimeter += from.perimeter - 2 * into.shared.at(b);
-    into.area += from.area;
-    into.area_normal += from.area_normal;
-    into.shared.erase(b);
-    from.shared.erase(a);
-    for (auto const& [other, length] : from.shared) {
-      into.shared[other] += length;
-      charts_[other].shared.erase(b);
-      charts_[other].shared[a] = into.shared[other];
-    }
-    ++into.version;
-    from.faces.clear();
-    from.shared.clear();
-    ++from.version;
-  }
-
-  TriMesh const& mesh_;
-  Geometry const& geometry_;
-  std::vector<std::uint32_t>& face_charts_;
-  std::size_t min_faces_;
-  std::vector<Chart> charts_;
-  std::priority_queue<Proposal> queue_;
-};
+}
 
 /// Numbers the charts in use from 0, in the order of their first faces; returns how many there are.
 std::uint32_t renumber(std::vector<std::uint32_t>& face_charts) {
@@ -214,9 +133,19 @@ ChartedMesh segment(TriMesh const& mesh, SegmentOptions const& options) {
   Geometry const geometry = measure(mesh);
   auto const features = feature_edges(adjacency, geometry, options.feature_share);
   std::vector<double> const distance = distance_to_features(mesh, adjacency, geometry, features);
-  std::uint32_t const grown =
-      grow_disks(mesh, adjacency, local_maxima(adjacency, distance), distance, result.face_charts);
-  Merger(mesh, adjacency, geometry, result.face_charts, grown, std::size_t(options.min_chart_faces)).run();
+  auto const merge = [&, small = std::size_t(options.min_chart_faces)](std::uint32_t first) {
+    merge_charts(mesh, adjacency, small, first, result.face_charts);
+  };
+  result.charts = grow_disks(mesh, adjacency, local_maxima(adjacency, distance), distance, result.face_charts);
+  straighten(mesh, adjacency, result.face_charts);
+  cut_folded(mesh, result.face_charts, result.charts);
+  merge(0);
+
+  std::uint32_t const merged =
+      result.charts;  // straight seams may fold a chart: what is cut off looks for a place again
+  straighten(mesh, adjacency, result.face_charts);
+  cut_folded(mesh, result.face_charts, result.charts);
+  merge(merged);
   result.charts = renumber(result.face_charts);
   return result;
 }

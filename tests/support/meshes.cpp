@@ -103,6 +103,28 @@ TriMesh torus(int major, int minor, float radius, float tube) {
   return mesh;
 }
 
+TriMesh pierced_slab(int holes) {
+  TriMesh mesh;
+  int const cells = 2 * holes + 1, layer = (cells + 1) * (cells + 1);
+  for (float y : {1.0f, 0.0f})
+    for (int r = 0; r <= cells; ++r)
+      for (int c = 0; c <= cells; ++c) mesh.positions.push_back({float(c), y, float(r)});
+  auto solid = [&](int c, int r) { return c >= 0 && r >= 0 && c < cells && r < cells && (c % 2 == 0 || r % 2 == 0); };
+  auto wall = [&](int p, int q) { quad(mesh, q, p, p + layer, q + layer); };  // hangs from the edge p-q of the top
+  for (int r = 0; r < cells; ++r)
+    for (int c = 0; c < cells; ++c) {
+      if (!solid(c, r)) continue;
+      int const a = r * (cells + 1) + c, b = a + cells + 1;
+      quad(mesh, a, b, b + 1, a + 1);
+      quad(mesh, a + layer, a + 1 + layer, b + 1 + layer, b + layer);
+      if (!solid(c - 1, r)) wall(a, b);
+      if (!solid(c, r + 1)) wall(b, b + 1);
+      if (!solid(c + 1, r)) wall(b + 1, a + 1);
+      if (!solid(c, r - 1)) wall(a + 1, a);
+    }
+  return mesh;
+}
+
 TriMesh moebius(int steps) {
   TriMesh mesh;
   for (int i = 0; i < steps; ++i) {
