@@ -180,6 +180,41 @@ std::vector<std::uint32_t> corners_of(GltfFile& gltf, GltfJson const& primitive,
   return corners;
 }
 
+template <class T>
+void gather(std::vector<T>& values, std::vector<std::uint32_t> const& from) {
+  if (values.empty()) return;
+  std::vector<T> gathered;
+  gathered.reserve(from.size());
+  for (std::uint32_t const i : from) gathered.push_back(values[i]);
+  values = std::move(gathered);
+}
+
+/// Primitives of one mesh often share the vertices of all; each would bring them all along.
+void drop_unused(GltfPrimitive& p) {
+  constexpr std::uint32_t unused = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number(p.positions.size(), unused), kept;
+  for (Triangle const& t : p.triangles)
+    for (std::uint32_t const corner : t) number[corner] = 0;
+  for (std::uint32_t i = 0; i < number.size(); ++i) {
+    if (number[i] == unused) continue;
+    number[i] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(i);
+  }
+  if (kept.size() == number.size()) return;
+  for (Triangle& t : p.triangles)
+    for (std::uint32_t& corner : t) corner = number[corner];
+  gather(p.positions, kept);
+  gather(p.normals, kept);
+  gather(p.uvs, kept);
+  gather(p.colours, kept);
+  gather(p.joints, kept);
+  gather(p.weights, kept);
+  for (MorphTarget& target : p.targets) {
+    gather(target.positions, kept);
+    gather(target.normals, kept);
+  }
+}
+
 }  // namespace
 
 bool has_triangles(GltfJson const& primitive) {
@@ -203,6 +238,7 @@ GltfPrimitive read_primitive(GltfFile& gltf, GltfJson const& description, std::u
   // A Draco stream holds single triangles, even where the mode says strip.
   std::uint64_t const mode = attributes.compressed() ? std::uint64_t{Mode::triangles} : mode_of(description);
   primitive.triangles = triangles_of(corners_of(gltf, description, attributes, primitive.positions.size()), mode);
+  drop_unused(primitive);
   return primitive;
 }
 

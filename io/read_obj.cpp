@@ -5,9 +5,10 @@
 #include "io/read_mtl.h"
 #include "io/text_scanner.h"
 
-#include <algorithm>
-#include <iterator>
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace vitrine::io {
 namespace {
@@ -50,13 +51,13 @@ void fill_vertices(ObjFile const& obj, SourceModel& model) {
 }
 
 /// The materials of one `mtllib` line: one file whose name may hold spaces, else several files.
-void read_library(std::string const& line, Resolve const& resolve, std::vector<MtlMaterial>& materials,
+void read_library(std::string const& line, Resolve const& resolve, std::map<std::string, MtlMaterial>& materials,
                   SourceModel& model) {
   auto const read = [&](std::string const& name) {
     try {
       if (std::optional<Blob> const file = resolve(name)) {
-        std::vector<MtlMaterial> found = parse_mtl(text(*file), model.notes);
-        std::move(found.begin(), found.end(), std::back_inserter(materials));
+        for (MtlMaterial& material : parse_mtl(text(*file), model.notes))
+          materials.try_emplace(material.name, std::move(material));
         return true;
       }
     } catch (Error const& error) {
@@ -75,13 +76,15 @@ void read_library(std::string const& line, Resolve const& resolve, std::vector<M
 }
 
 void fill_materials(ObjFile const& obj, Resolve const& resolve, ReadOptions const& options, SourceModel& model) {
-  std::vector<MtlMaterial> known;
-  for (std::string const& library : obj.libraries) read_library(library, resolve, known, model);
+  std::map<std::string, MtlMaterial> known;  // the first of a name counts
+  std::set<std::string> read;
+  for (std::string const& library : obj.libraries)
+    if (read.insert(library).second) read_library(library, resolve, known, model);
   Textures textures(model, options.limits);
   model.materials.clear();
   for (std::string const& name : obj.material_names) {
-    auto const found = std::find_if(known.begin(), known.end(), [&](MtlMaterial const& m) { return m.name == name; });
-    MtlMaterial source = found != known.end() ? *found : MtlMaterial{name, {}, 1, {}, {}};
+    auto const found = known.find(name);
+    MtlMaterial source = found != known.end() ? found->second : MtlMaterial{name, {}, 1, {}, {}};
     if (model.uvs.empty()) source.colour_map = source.normal_map = {};  // nothing says where they lie
     model.materials.push_back(
         to_material(source, !model.colours.empty(), options.mtl_kd, textures, resolve, model.notes));

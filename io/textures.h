@@ -5,9 +5,10 @@
 #include "io/read_model.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace vitrine::io {
 
@@ -23,14 +24,9 @@ class Textures {
   int take(std::string const& name, ColourSpace space, Fetch const& fetch);
 
  private:
-  struct Taken {
-    std::string name;
-    ColourSpace space;
-    int image;
-  };
   SourceModel& model_;
   std::uint64_t texels_left_;
-  std::vector<Taken> taken_;
+  std::map<std::pair<std::string, ColourSpace>, int> taken_;
 };
 
 }  // namespace vitrine::io

@@ -337,6 +337,17 @@ TEST(ReadGltf, PartsWithoutAnAttributeAreFilledUp) {
   EXPECT_EQ(model.mesh.triangles[2], (Triangle{4, 5, 6}));
 }
 
+TEST(ReadGltf, VerticesThatAPartDoesNotUseAreDropped) {
+  Builder b = square();
+  Doc second = b.primitive();
+  b.primitive()["indices"] = b.accessor<std::uint16_t>("SCALAR", 5123, 1, {0, 1, 2});
+  second["indices"] = b.accessor<std::uint16_t>("SCALAR", 5123, 1, {3, 0, 2});
+  b.json["meshes"][0]["primitives"].push_back(second);
+  SourceModel const model = read(b);
+  EXPECT_THAT(model.mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{5, 3, 4}));
+  EXPECT_EQ(model.mesh.positions[5], V3f(0, 1, 0));
+}
+
 TEST(ReadGltf, SkinnedMeshesStandWhereTheirJointsDo) {
   Builder b = square();
   b.primitive()["attributes"]["JOINTS_0"] =
