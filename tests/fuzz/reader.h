@@ -4,6 +4,7 @@
 
 #include "io/read_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -30,12 +31,14 @@ inline void require_valid(SourceModel const& model) {
   for (V2f const& uv : model.uvs) require(std::isfinite(uv.x) && std::isfinite(uv.y));
   require(!model.materials.empty());
   for (std::uint16_t material : model.face_materials) require(material < model.materials.size());
-  for (Material const& material : model.materials) require(material.colour_map.image < int(model.images.size()));
+  for (Material const& material : model.materials)
+    require(std::max(material.colour_map.image, material.normal_map.image) < int(model.images.size()));
 }
 
 using Reader = SourceModel (*)(io::Blob const&, io::Resolve const&, io::ReadOptions const&);
 
-/// Reads the bytes as a model whose names lead nowhere.
+/// Reads the bytes as a model whose names all lead back to the same bytes: a material library and textures of their
+/// own.
 inline int read(Reader reader, std::uint8_t const* data, std::size_t size) {
   io::Blob const file{{reinterpret_cast<std::byte const*>(data), size}, nullptr};
   io::ReadOptions options;
@@ -43,7 +46,7 @@ inline int read(Reader reader, std::uint8_t const* data, std::size_t size) {
   options.limits.bytes = 64 << 20;
   try {
     require_valid(reader(
-        file, [](std::string_view) { return std::optional<io::Blob>(); }, options));
+        file, [&](std::string_view) { return std::optional<io::Blob>(file); }, options));
   } catch (Error const& error) {
     require(error.kind() != ErrorKind::broken);
     require(!error.remedy().empty());
