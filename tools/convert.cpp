@@ -5,6 +5,7 @@
 #include "io/publish.h"
 #include "stages/error.h"
 #include "tools/command_line.h"
+#include "tools/printable.h"
 
 #include <fmt/format.h>
 
@@ -20,13 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kComplete = 0, kNothingFound = 1, kSomeFailed = 3;
-
-/// Control characters must not reach a terminal: names of files are data.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return text;
-}
 
 /// Expected time of each model, in any unit: a constant share and one by size.
 std::vector<double> costs(io::Archive const& archive) {

@@ -4,6 +4,7 @@
 #include "stages/error.h"
 #include "tools/command_line.h"
 #include "tools/convert.h"
+#include "tools/evaluate.h"
 #include "tools/serve.h"
 
 #include <fmt/format.h>
@@ -17,17 +18,28 @@ namespace {
 using namespace vitrine;
 using Verb = std::function<int()>;
 
+/// How models are understood where they are ambiguous.
+void add_reading(CLI::App& app, io::UpAxis& up, io::MtlKd& mtl_kd, std::string const& up_help) {
+  std::map<std::string, io::UpAxis> const axes{{"y", io::UpAxis::y}, {"z", io::UpAxis::z}};
+  app.add_option("--up", up, up_help)
+      ->transform(CLI::CheckedTransformer(axes).description(""))
+      ->type_name("y|z")
+      ->default_str("y");
+  std::map<std::string, io::MtlKd> const kd{{"ignore", io::MtlKd::ignore}, {"multiply", io::MtlKd::multiply}};
+  app.add_option("--mtl-kd", mtl_kd, "what the Kd beside a map_Kd of an MTL file does")
+      ->transform(CLI::CheckedTransformer(kd).description(""))
+      ->type_name("ignore|multiply")
+      ->default_str("ignore");
+}
+
 Verb convert_verb(CLI::App& app) {
   auto command = std::make_shared<tools::ConvertCommand>();
   app.add_option("archive", command->archive, "folder of scans, searched in depth")
       ->required()
       ->check(CLI::ExistingDirectory);
   app.add_option("--out", command->run.gallery, "folder of the gallery, made if missing")->required();
-  std::map<std::string, io::UpAxis> const axes{{"y", io::UpAxis::y}, {"z", io::UpAxis::z}};
-  app.add_option("--up", command->reading.up, "axis that points up in models for which archive.csv says nothing")
-      ->transform(CLI::CheckedTransformer(axes).description(""))
-      ->type_name("y|z")
-      ->default_str("y");
+  add_reading(app, command->reading.up, command->model.read.mtl_kd,
+              "axis that points up in models for which archive.csv says nothing");
   app.add_option("--include", command->reading.include,
                  "convert only paths that match (`*`, `**`, `?`); may be repeated")
       ->type_name("GLOB");
@@ -37,11 +49,6 @@ Verb convert_verb(CLI::App& app) {
   app.add_option("--memory", command->run.memory, "that the program may take (default: 80 % of what is free)")
       ->transform(CLI::AsSizeValue(true))
       ->type_name("SIZE");
-  std::map<std::string, io::MtlKd> const kd{{"ignore", io::MtlKd::ignore}, {"multiply", io::MtlKd::multiply}};
-  app.add_option("--mtl-kd", command->model.read.mtl_kd, "what the Kd beside a map_Kd of an MTL file does")
-      ->transform(CLI::CheckedTransformer(kd).description(""))
-      ->type_name("ignore|multiply")
-      ->default_str("ignore");
   graph::option_groups(command->model, [&](std::string const& group, auto& options) {
     options.fields(options, tools::AddFlags(app, group));
   });
@@ -61,12 +68,25 @@ Verb serve_verb(CLI::App& app) {
   return [command] { return tools::serve(command->gallery, command->host, command->port); };
 }
 
+Verb evaluate_verb(CLI::App& app) {
+  auto command = std::make_shared<tools::EvaluateCommand>();
+  app.add_option("original", command->original, "the model")->required()->check(CLI::ExistingFile);
+  app.add_option("thumbnail", command->thumbnail, "any tool's GLB of it")->required()->check(CLI::ExistingFile);
+  add_reading(app, command->up, command->read.mtl_kd, "axis that points up in the original");
+  app.add_flag("--json", command->json, "print everything, with each view's figures and camera, as JSON");
+  app.add_option("--sheet", command->sheet, "write all views side by side: original, thumbnail, squared difference x 8")
+      ->type_name("FILE.png");
+  command->measure.fields(command->measure, tools::AddFlags(app, "Measure"));
+  return [command] { return tools::evaluate(*command); };
+}
+
 constexpr struct {
   char const* name;
   char const* help;
   Verb (*make)(CLI::App&);
 } kVerbs[] = {
     {"convert", "turn every model below a folder into a 3D thumbnail", convert_verb},
+    {"evaluate", "measure a thumbnail against its original", evaluate_verb},
     {"serve", "show a gallery on localhost", serve_verb},
 };
 
