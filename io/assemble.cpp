@@ -2,8 +2,8 @@
 #include "io/assemble.h"
 
 #include "io/first_use.h"
-#include "io/image_codec.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -61,13 +61,12 @@ void refuse_above(std::uint64_t limit, std::uint64_t value, std::string const& u
                 "simplify or cut the model before");
 }
 
-std::uint64_t texels(SourceModel const& model) {
-  std::uint64_t sum = 0;
-  for (Image const& image : model.images) sum += std::uint64_t(image.width) * std::uint64_t(image.height);
-  return sum;
-}
-
 }  // namespace
+
+std::uint64_t bytes_of(SourceModel const& model) {
+  return model.mesh.positions.size() * sizeof(V3f) + model.mesh.triangles.size() * sizeof(Triangle) +
+         model.normals.size() * sizeof(V3f) + model.uvs.size() * sizeof(V2f) + model.colours.size() * sizeof(Rgba16);
+}
 
 V3f unit_or_zero(V3d const& v) {
   double const length = v.length();
@@ -94,10 +93,15 @@ void place(SourceModel& model, std::span<V3d const> positions) {
 
 void split_vertices(SourceModel& model, CornerAttributes const& attributes) {
   FirstUse<Corner> corners(model.mesh.positions.size());
-  for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f) {
-    Triangle split;
-    for (std::size_t c = 0; c < 3; ++c) split[c] = corners.number(corner_of(model.mesh, attributes, f, c));
-    model.mesh.triangles[f] = split;
+  constexpr std::size_t kBlock = 1024;
+  std::vector<Corner> keys;
+  std::vector<Triangle>& triangles = model.mesh.triangles;
+  for (std::size_t begin = 0; begin < triangles.size(); begin += kBlock) {
+    std::size_t const end = std::min(triangles.size(), begin + kBlock);
+    keys.clear();
+    for (std::size_t f = begin; f < end; ++f)
+      for (std::size_t c = 0; c < 3; ++c) keys.push_back(corner_of(model.mesh, attributes, f, c));
+    corners.number(keys, {triangles[begin].data(), keys.size()});
   }
   gather(model.mesh.positions, corners.keys());
   gather(model.normals, corners.keys());
@@ -112,23 +116,6 @@ void split_vertices(SourceModel& model, CornerAttributes const& attributes) {
     model.colours.clear();
     for (Corner const& corner : corners.keys()) model.colours.push_back(corner.colour);
   }
-}
-
-Material textured(SourceModel& model, std::string name, Resolve const& resolve, ReadLimits const& limits) {
-  Material material;
-  material.name = std::move(name);
-  try {
-    std::optional<Blob> const file = resolve(material.name);
-    if (!file) throw Error(ErrorKind::invalid_input, "not found beside the model", "");
-    ReadLimits left = limits;
-    left.texels -= std::min(left.texels, texels(model));
-    model.images.push_back(decode_image(file->bytes, ColourSpace::srgb, left));
-    material.colour_map.image = static_cast<int>(model.images.size()) - 1;
-    material.coloured = true;
-  } catch (Error const& error) {
-    model.notes.push_back("texture \"" + material.name + "\" left out: " + error.what());
-  }
-  return material;
 }
 
 }  // namespace vitrine::io

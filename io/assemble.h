@@ -16,6 +16,9 @@ inline constexpr Rgba16 kWhite{65535, 65535, 65535, 65535};
 /// What a vertex with all attributes may take, before and after splitting.
 inline constexpr std::uint64_t kBytesPerVertex = sizeof(V3d) + 2 * sizeof(V3f) + sizeof(V2f) + sizeof(Rgba16) + 28;
 
+/// What the model's arrays take.
+std::uint64_t bytes_of(SourceModel const& model);
+
 /// The direction of `v`; zero when it has none or is not finite, which `clean` repairs.
 V3f unit_or_zero(V3d const& v);
 
@@ -39,8 +42,5 @@ struct CornerAttributes {
 /// Splits vertices until each has one texture coordinate and one colour, in the order of first use by a corner.
 /// Vertices that no triangle uses are dropped.
 void split_vertices(SourceModel& model, CornerAttributes const& attributes);
-
-/// A material that shows this texture. When the file is missing or damaged, a note says so and the material is plain.
-Material textured(SourceModel& model, std::string name, Resolve const& resolve, ReadLimits const& limits);
 
 }  // namespace vitrine::io

@@ -5,9 +5,13 @@
 #include "io/read_model.h"
 #include "io/text_scanner.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vitrine::io {
 namespace {
@@ -28,27 +32,34 @@ V3f point_of(Place const& place) {
 }
 
 /// Triangles over vertices that are one where their places are.
-struct Welder {
-  std::vector<Triangle> triangles;
-  FirstUse<Place> places;
+class Welder {
+ public:
+  explicit Welder(std::size_t expected) : places_(expected / 2) { triangles_.reserve(expected); }
 
-  explicit Welder(std::size_t expected) : places(expected / 2) { triangles.reserve(expected); }
+  std::size_t triangles() const { return triangles_.size(); }
 
-  void add(V3f const& a, V3f const& b, V3f const& c) {
-    Triangle triangle;
-    triangle[0] = places.number(place_of(a));
-    triangle[1] = places.number(place_of(b));
-    triangle[2] = places.number(place_of(c));
-    triangles.push_back(triangle);
+  void add(std::span<V3f const> corners) {
+    keys_.clear();
+    for (V3f const& corner : corners) keys_.push_back(place_of(corner));
+    numbers_.resize(keys_.size());
+    places_.number(keys_, numbers_);
+    for (std::size_t i = 0; i < numbers_.size(); i += 3)
+      triangles_.push_back({numbers_[i], numbers_[i + 1], numbers_[i + 2]});
   }
 
   SourceModel model() && {
     SourceModel model;
-    model.mesh.triangles = std::move(triangles);
-    model.mesh.positions.reserve(places.keys().size());
-    for (Place const& place : places.keys()) model.mesh.positions.push_back(point_of(place));
+    model.mesh.triangles = std::move(triangles_);
+    model.mesh.positions.reserve(places_.keys().size());
+    for (Place const& place : places_.keys()) model.mesh.positions.push_back(point_of(place));
     return model;
   }
+
+ private:
+  std::vector<Triangle> triangles_;
+  FirstUse<Place> places_;
+  std::vector<Place> keys_;
+  std::vector<std::uint32_t> numbers_;
 };
 
 std::string lower_case(std::string_view word) {
@@ -88,8 +99,8 @@ SourceModel read_ascii(std::string_view text, ReadLimits const& limits) {
     } else if (keyword == "endloop") {
       if (corners.size() != 3)
         throw lines.error("a facet has " + std::to_string(corners.size()) + " corners instead of 3");
-      check_size(welder.triangles.size() + 1, limits);
-      welder.add(corners[0], corners[1], corners[2]);
+      check_size(welder.triangles() + 1, limits);
+      welder.add(corners);
       corners.clear();
     } else if (keyword == "endsolid") {
       open = false;
@@ -118,13 +129,16 @@ SourceModel read_binary(std::span<std::byte const> bytes, std::string_view text,
         damage_remedy(text));
   check_size(promised, options.limits);
   Welder welder(promised);
-  for (std::size_t i = 0; i < promised; ++i) {
-    std::byte const* const record = bytes.data() + kHeader + i * kRecord + 12;  // after the facet's normal
-    auto corner = [&](std::size_t c) {
-      std::byte const* const at = record + 12 * c;
-      return V3f(load<float>(at), load<float>(at + 4), load<float>(at + 8));
-    };
-    welder.add(corner(0), corner(1), corner(2));
+  constexpr std::size_t kBlock = 1024;
+  std::vector<V3f> corners;
+  for (std::size_t begin = 0; begin < promised; begin += kBlock) {
+    corners.clear();
+    for (std::size_t i = begin; i < std::min<std::size_t>(promised, begin + kBlock); ++i)
+      for (std::size_t c = 1; c <= 3; ++c) {  // the facet's normal comes first
+        std::byte const* const at = bytes.data() + kHeader + i * kRecord + 12 * c;
+        corners.emplace_back(load<float>(at), load<float>(at + 4), load<float>(at + 8));
+      }
+    welder.add(corners);
   }
   SourceModel model = std::move(welder).model();
   if (std::size_t const rest = (bytes.size() - kHeader) % kRecord; rest > 0)
