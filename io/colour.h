@@ -23,13 +23,11 @@ inline std::uint16_t linear16(double srgb) {
 }
 
 /// The same of bytes, by table.
-inline std::uint16_t linear16(std::uint8_t srgb) {
-  static std::array<std::uint16_t, 256> const table = [] {
-    std::array<std::uint16_t, 256> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = linear16(double(i) / 255);
-    return values;
-  }();
-  return table[srgb];
-}
+inline std::array<std::uint16_t, 256> const kLinear16 = [] {
+  std::array<std::uint16_t, 256> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = linear16(double(i) / 255);
+  return values;
+}();
+inline std::uint16_t linear16(std::uint8_t srgb) { return kLinear16[srgb]; }
 
 }  // namespace vitrine::io

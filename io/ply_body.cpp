@@ -62,8 +62,10 @@ std::optional<PlyLayout> PlyBody::layout(PlyElement const& element) const {
     if (property.count_type) {
       std::size_t const count_bytes = size_of(*property.count_type);
       if (layout.stride + count_bytes > rest_.size()) return std::nullopt;
-      double const count = ply_load(*property.count_type, format_)(rest_.data() + layout.stride);
+      PlyLoad const load_count = ply_load(*property.count_type, format_);
+      double const count = load_count(rest_.data() + layout.stride);
       if (count < 0) return std::nullopt;
+      layout.counts.push_back({layout.stride, load_count, count});
       values = std::uint64_t(count);
       layout.stride += count_bytes;
     }
@@ -73,16 +75,6 @@ std::optional<PlyLayout> PlyBody::layout(PlyElement const& element) const {
   }
   if (layout.stride == 0 || element.count > rest_.size() / layout.stride) return std::nullopt;
   return layout;
-}
-
-bool PlyBody::has_layout(PlyElement const& element, PlyLayout const& layout, std::byte const* record) const {
-  for (std::size_t i = 0; i < element.properties.size(); ++i) {
-    std::optional<PlyType> const type = element.properties[i].count_type;
-    if (!type) continue;
-    std::byte const* const count = record + layout.offsets[i] - size_of(*type);
-    if (ply_load(*type, format_)(count) != double(layout.list_sizes[i])) return false;
-  }
-  return true;
 }
 
 void PlyBody::read_row(PlyElement const& element, PlyLayout const& layout, std::byte const* record, PlyRow& row) const {

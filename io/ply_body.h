@@ -30,6 +30,20 @@ struct PlyLayout {
   std::size_t stride = 0;
   std::vector<std::size_t> offsets;       ///< by property; of a list's first value
   std::vector<std::uint64_t> list_sizes;  ///< by property; 0 for scalars
+
+  struct Count {
+    std::size_t offset;
+    PlyLoad load;
+    double value;
+  };
+  std::vector<Count> counts;  ///< of the lists
+
+  /// Whether this record's lists have the sizes.
+  bool fits(std::byte const* record) const {
+    for (Count const& count : counts)
+      if (count.load(record + count.offset) != count.value) return false;
+    return true;
+  }
 };
 
 /// Reads elements one after the other. Errors: InvalidInput where the file ends early, with element and record.
@@ -40,10 +54,9 @@ class PlyBody {
   /// To be called before an element is read: refuses counts that the bytes left cannot hold.
   void enter(PlyElement const& element) const;
 
-  /// The element's records as equal ones: of lists' sizes as in its first record (others may differ: see `has_layout`).
+  /// The element's records as equal ones: of lists' sizes as in its first record (others may differ: see `fits`).
   /// Nothing when the file is ascii or too short for that.
   std::optional<PlyLayout> layout(PlyElement const& element) const;
-  bool has_layout(PlyElement const& element, PlyLayout const& layout, std::byte const* record) const;
 
   /// A record that has the layout.
   void read_row(PlyElement const& element, PlyLayout const& layout, std::byte const* record, PlyRow& row) const;

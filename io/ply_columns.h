@@ -2,6 +2,7 @@
 #pragma once
 /// What the readers of PLY vertices and faces share. Internal to io.
 
+#include "io/colour.h"
 #include "io/ply_header.h"
 #include "stages/data.h"
 
@@ -9,8 +10,10 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
@@ -36,11 +39,28 @@ std::optional<PlyColumns<N>> ply_columns(PlyElement const& element, std::array<P
   return columns;
 }
 
-std::optional<PlyColumns<3>> ply_colour_columns(PlyElement const& element);
+/// Colours of vertices or faces: sRGB as bytes, 16 bits or 0..1, by the columns' type. Coverage is not kept: surfaces
+/// are opaque.
+struct PlyColour {
+  PlyColumns<3> columns{};
+  double full = 255;  ///< the value of full intensity
 
-/// sRGB as bytes, 16 bits or 0..1, by the columns' types, to linear; nothing when a value is not finite.
-std::optional<Rgba16> ply_colour(PlyElement const& element, PlyColumns<3> const& columns,
-                                 std::array<double, 3> const& rgb);
+  /// Nothing unless the element has red, green and blue, under any of their usual names.
+  static std::optional<PlyColour> of(PlyElement const& element);
+
+  /// Of one record, of which `get(p)` gives property p; nothing when a value is not finite.
+  template <class Get>
+  std::optional<Rgba16> linear(Get const& get) const {
+    Rgba16 rgba{0, 0, 0, 65535};
+    for (std::size_t k = 0; k < 3; ++k) {
+      double const value = get(columns[k]);
+      if (!std::isfinite(value)) return std::nullopt;
+      rgba[k] =
+          full == 255 ? linear16(static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0))) : linear16(value / full);
+    }
+    return rgba;
+  }
+};
 
 /// The smallest index at which something was wrong, whichever thread saw it first.
 class FirstBad {

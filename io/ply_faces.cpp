@@ -31,14 +31,14 @@ struct FaceReader {
   PlyFaces& faces;
   std::size_t indices;
   std::optional<std::size_t> uvs, texture;
-  std::optional<PlyColumns<3>> colour;
+  std::optional<PlyColour> colour;
   FirstBad bad;  ///< face with a bad index or a value that is not finite
 
   FaceReader(std::size_t list, PlyElement const& of, PlyFaceWants const& wants, PlyFaces& to)
       : element(of), vertices(wants.vertices), faces(to), indices(list) {
     if (wants.uvs) uvs = element.list({"texcoord"});
     if (wants.textures) texture = element.scalar({"texnumber"});
-    if (wants.colours) colour = ply_colour_columns(element);
+    if (wants.colours) colour = PlyColour::of(element);
   }
 
   /// Makes room for so many triangles.
@@ -84,9 +84,7 @@ struct FaceReader {
   }
 
   Rgba16 face_colour(PlyRow const& row, std::uint64_t face) {
-    std::array<double, 3> rgb;
-    for (std::size_t k = 0; k < 3; ++k) rgb[k] = row.scalars[(*colour)[k]];
-    std::optional<Rgba16> const rgba = ply_colour(element, *colour, rgb);
+    std::optional<Rgba16> const rgba = colour->linear([&](std::size_t p) { return row.scalars[p]; });
     if (!rgba) bad.at(face);
     return rgba.value_or(kWhite);
   }
@@ -104,7 +102,7 @@ bool read_triangles(PlyBody const& body, PlyLayout const& layout, FaceReader& re
   in_blocks(reader.element.count, [&](std::uint64_t begin, std::uint64_t end) {
     for (std::uint64_t i = begin; i < end; ++i) {
       std::byte const* const record = body.data() + i * layout.stride;
-      if (!body.has_layout(reader.element, layout, record)) uniform = false;
+      if (!layout.fits(record)) uniform = false;
       for (std::size_t k = 0; k < 3; ++k) {
         auto const index =
             static_cast<std::int64_t>(load<Index, Order>(record + layout.offsets[reader.indices] + 4 * k));
@@ -123,7 +121,7 @@ bool read_polygons(PlyBody const& body, PlyLayout const& layout, FaceReader& rea
     PlyRow row;
     for (std::uint64_t i = begin; i < end; ++i) {
       std::byte const* const record = body.data() + i * layout.stride;
-      if (!body.has_layout(reader.element, layout, record)) uniform = false;
+      if (!layout.fits(record)) uniform = false;
       body.read_row(reader.element, layout, record, row);
       reader.put(row, i, i * triangles);
     }

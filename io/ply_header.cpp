@@ -46,6 +46,8 @@ PlyFormat parse_format(TextScanner& lines) {
 }
 
 PlyElement parse_element(TextScanner& lines, std::vector<PlyElement> const& before) {
+  constexpr std::size_t kMost = 1000;
+  if (before.size() == kMost) throw lines.error("more than " + std::to_string(kMost) + " elements");
   PlyElement element;
   element.name = lines.word();
   for (PlyElement const& other : before)

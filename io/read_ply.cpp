@@ -6,6 +6,7 @@
 #include "io/ply_columns.h"
 #include "io/ply_faces.h"
 #include "io/read_model.h"
+#include "io/textures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ class VertexReader {
     if (!found) throw body.error("vertices have no x, y and z");
     position_ = *found;
     normal_ = ply_columns<3>(element, {{{"nx"}, {"ny"}, {"nz"}}});
-    colour_ = ply_colour_columns(element);
+    colour_ = PlyColour::of(element);
     uv_ = ply_columns<2>(element, {{{"s", "u", "texture_u", "texture_s"}, {"t", "v", "texture_v", "texture_t"}}});
     bool const floats = std::all_of(position_.begin(), position_.end(),
                                     [&](std::size_t p) { return element.properties[p].type == PlyType::float32; });
@@ -46,8 +47,7 @@ class VertexReader {
       exact_[i] = p;
     if (normal_) model_.normals[i] = unit_or_zero(triple(*normal_, get));
     if (colour_) {
-      std::optional<Rgba16> const rgba =
-          ply_colour(element_, *colour_, {get((*colour_)[0]), get((*colour_)[1]), get((*colour_)[2])});
+      std::optional<Rgba16> const rgba = colour_->linear(get);
       if (!rgba) bad_.at(i);
       model_.colours[i] = rgba.value_or(kWhite);
     }
@@ -79,7 +79,8 @@ class VertexReader {
   PlyElement const& element_;
   SourceModel& model_;
   PlyColumns<3> position_{};
-  std::optional<PlyColumns<3>> normal_, colour_;
+  std::optional<PlyColumns<3>> normal_;
+  std::optional<PlyColour> colour_;
   std::optional<PlyColumns<2>> uv_;
   std::vector<V3d> exact_;  ///< positions that floats may not hold
   FirstBad bad_;
@@ -122,9 +123,8 @@ void take_faces(SourceModel& model, PlyFaces faces, ReadLimits const& limits) {
   model.mesh.triangles = std::move(faces.triangles);
   CornerAttributes& corners = faces.corners;
   bool const split = !corners.uvs.empty() || !corners.face_colours.empty();
-  std::uint64_t const vertices = split ? 3 * triangles : model.mesh.positions.size();
-  check_limits(limits, vertices, triangles, vertices * kBytesPerVertex + triangles * sizeof(Triangle));
-  if (!split) return;
+  if (!split) return check_limits(limits, model.mesh.positions.size(), triangles, bytes_of(model));
+  check_limits(limits, 3 * triangles, triangles, bytes_of(model) + 3 * triangles * kBytesPerVertex);
   if (!corners.uvs.empty()) corners.uvs.resize(triangles);  // strips have none
   if (!corners.face_colours.empty()) corners.face_colours.resize(triangles, kWhite);
   split_vertices(model, corners);
@@ -134,13 +134,20 @@ void take_faces(SourceModel& model, PlyFaces faces, ReadLimits const& limits) {
 void add_textures(SourceModel& model, PlyHeader const& header, std::vector<std::int64_t> const& numbers,
                   Resolve const& resolve, ReadLimits const& limits) {
   if (header.textures.empty() || model.uvs.empty()) return;
-  constexpr std::size_t kMost = 65535;  // 16-bit face_materials, one of them plain
+  constexpr std::size_t kMost = 4096;
   if (header.textures.size() > kMost)
     throw Error(ErrorKind::limit_exceeded,
                 std::to_string(header.textures.size()) + " textures exceed the limit of " + std::to_string(kMost),
                 "merge the model's textures");
+  Textures images(model, limits);
   model.materials.clear();
-  for (std::string const& name : header.textures) model.materials.push_back(textured(model, name, resolve, limits));
+  for (std::string const& name : header.textures) {
+    Material material;
+    material.name = name;
+    material.colour_map.image = images.take(name, ColourSpace::srgb, [&] { return resolve(name); });
+    material.coloured = material.colour_map.image >= 0;
+    model.materials.push_back(std::move(material));
+  }
   if (numbers.empty()) return;
   auto const plain = static_cast<std::int64_t>(header.textures.size());
   std::uint64_t untextured = 0;
@@ -163,14 +170,14 @@ SourceModel read_ply(Blob const& file, Resolve const& resolve, ReadOptions const
   PlyBody body(header, file);
   PlyElement const* const vertices = find(header, "vertex");
   if (vertices == nullptr) throw body.error("file has no element vertex");
-  check_limits(options.limits, vertices->count, 0, 0);
+  check_limits(options.limits, vertices->count, 0, vertices->count * sizeof(V3f));
 
   SourceModel model;
   PlyFaces faces;
   PlyFaceWants const wants{.vertices = vertices->count,
                            .uvs = !header.textures.empty(),
                            .textures = header.textures.size() > 1,
-                           .colours = !ply_colour_columns(*vertices)};
+                           .colours = !PlyColour::of(*vertices)};
   for (PlyElement const& element : header.elements) {
     body.enter(element);
     if (element.name == "vertex") {
