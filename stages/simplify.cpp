@@ -172,14 +172,14 @@ class Collapser {
 
   /// A part that vanishes is as wrong as if it had moved by its own size.
   void try_vanish(Candidate const& candidate, std::size_t bucket, Placement const& placement) {
-    double const area2 = mesh_.twice_area_around(candidate.a, candidate.b);
-    if (std::sqrt(area2) > max_distance_) {
+    double const size = std::min(std::sqrt(mesh_.twice_area_around(candidate.a, candidate.b)), mesh_.diagonal());
+    if (size > max_distance_) {
       limited_ = true;
       return;
     }
-    std::size_t const dearer = BucketQueue::bucket(placement.cost + area2 * area2);
+    std::size_t const dearer = BucketQueue::bucket(placement.cost + size * size * size * size);
     if (dearer > bucket) return queue_.push(dearer, candidate);
-    largest_distance_ = std::max(largest_distance_, std::sqrt(area2));
+    largest_distance_ = std::max(largest_distance_, size);
     mesh_.remove_around(candidate.a);
     mesh_.remove_around(candidate.b);
   }

@@ -39,7 +39,8 @@ struct SimplifyOptions {
 ///         perpendicular planes; topology kept while that reaches the target, and where it is manifold; the mesh is
 ///         compact (no unused vertex) and not empty.
 /// Errors: none beyond std::bad_alloc: what cannot be collapsed stays, and `stop` says so.
-/// Cost:   near O(n), 130 bytes per face and 1.2 us of one thread.
+/// Cost:   near O(n): some 110 bytes per face; 0.6 to 1 million faces a second on one core. OpenMesh: a twentieth of that,
+///         and quadratic in the faces around one vertex.
 SimplifiedMesh simplify(TriMesh const& mesh, SimplifyOptions const& options = {});
 
 }  // namespace vitrine

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace vitrine {
 namespace {
@@ -117,6 +118,26 @@ TEST(Clean, GivesSoupTheNormalsOfItsWeldedPlaces) {
   EXPECT_TRUE(result.computed_normals);
   for (std::size_t v = 0; v < result.model.normals.size(); ++v)
     ASSERT_LT(distance(result.model.normals[v], result.model.mesh.positions[v]), 0.1) << "vertex " << v;
+}
+
+TEST(Clean, MakesAValidModelOfSeededDamage) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    SourceModel model = test::painted_model(test::bumpy_sphere(16, 8, seed));
+    model.normals = smooth_normals(model.mesh);
+    auto any_vertex = [&] { return random() % model.mesh.positions.size(); };
+    for (int i = 0; i < 5; ++i) {
+      model.mesh.positions[any_vertex()] = model.mesh.positions[any_vertex()];
+      model.normals[any_vertex()] *= float(i - 2);
+      std::size_t const f = random() % model.mesh.triangles.size();
+      model.mesh.triangles[f][random() % 3] = static_cast<std::uint32_t>(any_vertex());
+      model.mesh.triangles.push_back(model.mesh.triangles[f]);
+    }
+    model.mesh.positions[any_vertex()].z = kNan;
+    CleanModel const result = clean(model);
+    EXPECT_THAT(check(result.model), IsEmpty()) << "seed " << seed;
+    EXPECT_GT(result.repairs.duplicate_faces + result.repairs.degenerate_faces, 0u) << "seed " << seed;
+  }
 }
 
 TEST(SmoothNormals, AreThoseOfAnyScaleAndPlace) {
