@@ -17,7 +17,7 @@ using Key = std::array<std::uint32_t, 3>;
 std::vector<Key> random_keys(std::size_t count, std::uint32_t distinct) {
   std::mt19937 random(1);
   std::vector<Key> keys(count);
-  for (Key& key : keys) key = {random() % distinct, 0, random() % 2};
+  for (Key& key : keys) key = {std::uint32_t(random()) % distinct, 0, std::uint32_t(random()) % 2};
   return keys;
 }
 
