@@ -67,11 +67,17 @@ Image half_size(Image const& from, ColourSpace space) {
 /// From here on floats have no useful fraction left; also what is not finite.
 bool has_no_fraction(float at) { return !(std::abs(at) < 1e6f); }
 
+/// Of such as have one: std::floor is a function call where the processor need not know SSE4.
+float floor_below(float at) {
+  float const whole = float(int(at));
+  return whole > at ? whole - 1 : whole;
+}
+
 float wrap(float at, Wrap mode) {
   if (mode == Wrap::clamp) return at > 0 ? std::min(at, 1.f) : 0;
   if (has_no_fraction(at)) return 0;
-  if (mode == Wrap::repeat) return at - std::floor(at);
-  float const turn = at - 2 * std::floor(at / 2);
+  if (mode == Wrap::repeat) return at - floor_below(at);
+  float const turn = at - 2 * floor_below(at / 2);
   return turn > 1 ? 2 - turn : turn;
 }
 
@@ -81,27 +87,36 @@ struct Pair {
   float weight;
 };
 
-Pair neighbours(float at, int size, Wrap mode) {
-  float const place = wrap(at, mode) * float(size) - 0.5f, floor = std::floor(place);
-  int const low = int(floor);
-  if (mode == Wrap::repeat) return {(low + size) % size, (low + 1) % size, place - floor};
-  return {std::clamp(low, 0, size - 1), std::clamp(low + 1, 0, size - 1), place - floor};
+Pair neighbours(float wrapped, int size, Wrap mode) {
+  float const place = wrapped * float(size) - 0.5f, floor = floor_below(place);
+  int const low = int(floor), last = size - 1;
+  if (mode == Wrap::repeat) return {low < 0 ? last : low, low < last ? low + 1 : 0, place - floor};
+  return {std::max(low, 0), std::min(low + 1, last), place - floor};
 }
 
-Rgba mix(Rgba const& a, Rgba const& b, float weight) {
-  Rgba mixed;
-  for (int k = 0; k < 4; ++k) mixed[k] = a[k] + (b[k] - a[k]) * weight;
-  return mixed;
-}
+float mix(float a, float b, float weight) { return a + (b - a) * weight; }
 
-Rgba fetch(Image const& image, ColourSpace space, int x, int y) {
-  std::uint8_t const* const texel = &image.texels[(std::size_t(y) * image.width + x) * image.channels];
-  auto const value = [&](int channel) {
-    return space == ColourSpace::srgb ? kLinearOfSrgb[texel[channel]] : float(texel[channel]) / 255;
+std::array<float, 256> const kShareOfByte = [] {
+  std::array<float, 256> table;
+  for (int i = 0; i < 256; ++i) table[i] = float(i) / 255;
+  return table;
+}();
+
+/// Mean of four texels. `decoded`: what the bytes of the colour channels mean.
+template <int kChannels>
+Rgba bilinear(Image const& image, std::array<float, 256> const& decoded, Pair const& x, Pair const& y) {
+  std::uint8_t const* const low = &image.texels[std::size_t(y.low) * image.width * kChannels];
+  std::uint8_t const* const high = &image.texels[std::size_t(y.high) * image.width * kChannels];
+  auto const channel = [&](int k, std::array<float, 256> const& values) {
+    int const left = x.low * kChannels + k, right = x.high * kChannels + k;
+    return mix(mix(values[low[left]], values[low[right]], x.weight),
+               mix(values[high[left]], values[high[right]], x.weight), y.weight);
   };
-  float const alpha = image.channels % 2 == 0 ? float(texel[image.channels - 1]) / 255 : 1;
-  if (image.channels < 3) return {value(0), value(0), value(0), alpha};
-  return {value(0), value(1), value(2), alpha};
+  float const first = channel(0, decoded), alpha = kChannels % 2 == 0 ? channel(kChannels - 1, kShareOfByte) : 1;
+  if constexpr (kChannels < 3)
+    return {first, first, first, alpha};
+  else
+    return {first, channel(1, decoded), channel(2, decoded), alpha};
 }
 
 }  // namespace
@@ -111,19 +126,32 @@ MipMap::MipMap(Image const& image, ColourSpace space) : base_(image), space_(spa
     smaller_.push_back(half_size(level_image(smaller_.size()), space));
 }
 
-Rgba MipMap::bilinear(Image const& image, V2f uv, Wrap wrap_u, Wrap wrap_v) const {
-  Pair const x = neighbours(uv.x, image.width, wrap_u), y = neighbours(uv.y, image.height, wrap_v);
-  return mix(mix(fetch(image, space_, x.low, y.low), fetch(image, space_, x.high, y.low), x.weight),
-             mix(fetch(image, space_, x.low, y.high), fetch(image, space_, x.high, y.high), x.weight), y.weight);
+Rgba MipMap::sample_level(std::size_t level, V2f wrapped, Wrap wrap_u, Wrap wrap_v) const {
+  Image const& image = level_image(level);
+  std::array<float, 256> const& decoded = space_ == ColourSpace::srgb ? kLinearOfSrgb : kShareOfByte;
+  Pair const x = neighbours(wrapped.x, image.width, wrap_u), y = neighbours(wrapped.y, image.height, wrap_v);
+  switch (image.channels) {
+    case 1:
+      return bilinear<1>(image, decoded, x, y);
+    case 2:
+      return bilinear<2>(image, decoded, x, y);
+    case 3:
+      return bilinear<3>(image, decoded, x, y);
+    default:
+      return bilinear<4>(image, decoded, x, y);
+  }
 }
 
 Rgba MipMap::sample(V2f uv, float level, Wrap wrap_u, Wrap wrap_v) const {
+  V2f const wrapped(wrap(uv.x, wrap_u), wrap(uv.y, wrap_v));
   float const clamped = level > 0 ? std::min(level, float(smaller_.size())) : 0;
   std::size_t const finer = static_cast<std::size_t>(clamped);
-  Rgba const colour = bilinear(level_image(finer), uv, wrap_u, wrap_v);
+  Rgba colour = sample_level(finer, wrapped, wrap_u, wrap_v);
   float const weight = clamped - float(finer);
   if (weight == 0) return colour;
-  return mix(colour, bilinear(level_image(finer + 1), uv, wrap_u, wrap_v), weight);
+  Rgba const coarser = sample_level(finer + 1, wrapped, wrap_u, wrap_v);
+  for (int k = 0; k < 4; ++k) colour[k] = mix(colour[k], coarser[k], weight);
+  return colour;
 }
 
 }  // namespace vitrine

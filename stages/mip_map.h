@@ -20,7 +20,7 @@ class MipMap {
 
  private:
   Image const& level_image(std::size_t level) const { return level == 0 ? base_ : smaller_[level - 1]; }
-  Rgba bilinear(Image const& image, V2f uv, Wrap wrap_u, Wrap wrap_v) const;
+  Rgba sample_level(std::size_t level, V2f wrapped, Wrap wrap_u, Wrap wrap_v) const;
 
   Image const& base_;
   ColourSpace space_;

@@ -136,22 +136,26 @@ std::array<std::optional<Hit>, RayScene::kPacket> RayScene::first_hits(std::arra
   SidedContext context(rays.data());
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   if (std::any_of(rays.begin(), rays.end(), has_side)) context.filter = pass_wrong_sides;
-  RTCRayHit8 query{};
-  alignas(32) std::array<int, kPacket> valid;
+  std::array<RTCRayHit8, kPacket / 8> queries;
   for (unsigned i = 0; i < kPacket; ++i) {
-    Ray const& ray = rays[i];
-    valid[i] = ray.far < ray.near ? 0 : -1;
-    query.ray.org_x[i] = ray.origin.x, query.ray.org_y[i] = ray.origin.y, query.ray.org_z[i] = ray.origin.z;
-    query.ray.dir_x[i] = ray.direction.x, query.ray.dir_y[i] = ray.direction.y, query.ray.dir_z[i] = ray.direction.z;
-    query.ray.tnear[i] = ray.near, query.ray.tfar[i] = ray.far;
-    query.ray.mask[i] = 0xffffffffu, query.ray.id[i] = i;
-    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    Ray const& from = rays[i];
+    RTCRay8& ray = queries[i / 8].ray;
+    unsigned const k = i % 8;
+    ray.org_x[k] = from.origin.x, ray.org_y[k] = from.origin.y, ray.org_z[k] = from.origin.z;
+    ray.dir_x[k] = from.direction.x, ray.dir_y[k] = from.direction.y, ray.dir_z[k] = from.direction.z;
+    ray.tnear[k] = from.near, ray.tfar[k] = from.far;
+    ray.time[k] = 0, ray.mask[k] = 0xffffffffu, ray.id[k] = i, ray.flags[k] = 0;
+    queries[i / 8].hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
   }
-  rtcIntersect8(valid.data(), impl_->scene, &context, &query);
+  rtcIntersectNM(impl_->scene, &context, reinterpret_cast<RTCRayHitN*>(queries.data()), 8, kPacket / 8,
+                 sizeof(RTCRayHit8));
   std::array<std::optional<Hit>, kPacket> hits;
-  for (unsigned i = 0; i < kPacket; ++i)
-    if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
-      hits[i] = Hit{query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]};
+  for (unsigned i = 0; i < kPacket; ++i) {
+    RTCRayHit8 const& query = queries[i / 8];
+    unsigned const k = i % 8;
+    if (query.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID)
+      hits[i] = Hit{query.hit.primID[k], query.hit.u[k], query.hit.v[k], query.ray.tfar[k]};
+  }
   return hits;
 }
 

@@ -31,7 +31,7 @@ struct Ray {
 /// Errors: LimitExceeded when memory does not suffice; Unsupported without AVX2.
 class RayScene {
  public:
-  static constexpr std::size_t kPacket = 8;
+  static constexpr std::size_t kPacket = 64;
 
   explicit RayScene(TriMesh const& mesh);
   ~RayScene();

@@ -12,7 +12,8 @@ namespace vitrine {
 namespace {
 
 constexpr int kSupersample = 4, kSamples = kSupersample * kSupersample;
-constexpr std::size_t kPackets = kSamples / RayScene::kPacket;
+constexpr int kTile = 2, kTilePixels = kTile * kTile;  ///< pixels that one packet of rays draws
+static_assert(kTilePixels * kSamples == RayScene::kPacket);
 constexpr int kMostLayers = 64;  ///< transparent ones that a ray passes before it sees the background
 constexpr float kGrey = 0.5f;
 
@@ -32,37 +33,44 @@ class Painter {
     to_light_ = V3f(to_light.normalized());
   }
 
-  Texel pixel(int x, int y) const {
-    std::array<int, 4> sums{};
-    Shading const shading(-ray_direction(kSupersample * float(x) + 1.5f, kSupersample * float(y) + 1.5f).normalized(),
-                          to_light_);
-    for (std::size_t packet = 0; packet < kPackets; ++packet) {
-      std::array<Ray, RayScene::kPacket> const rays = rays_of(x, y, packet);
-      auto const hits = model_.scene.first_hits(rays);
-      for (std::size_t i = 0; i < rays.size(); ++i) {
+  /// The 2 x 2 pixels from (x, y) on, row by row.
+  std::array<Texel, kTilePixels> tile(int x, int y) const {
+    std::array<Ray, RayScene::kPacket> const rays = rays_of(x, y);
+    auto const hits = model_.scene.first_hits(rays);
+    std::array<Texel, kTilePixels> pixels;
+    for (int p = 0; p < kTilePixels; ++p) {
+      Shading const shading = shading_at(x + p % kTile, y + p / kTile);
+      std::array<int, 4> sums{};
+      for (std::size_t i = p * kSamples; i < (p + 1u) * kSamples; ++i) {
         Texel const texel = hits[i] ? sample(rays[i], *hits[i], shading) : Texel{255, 255, 255, 0};
         for (std::size_t k = 0; k < 4; ++k) sums[k] += texel[k];
       }
+      for (std::size_t k = 0; k < 4; ++k) pixels[p][k] = static_cast<std::uint8_t>((sums[k] + kSamples / 2) / kSamples);
     }
-    Texel mean;
-    for (std::size_t k = 0; k < 4; ++k) mean[k] = static_cast<std::uint8_t>((sums[k] + kSamples / 2) / kSamples);
-    return mean;
+    return pixels;
   }
 
  private:
   /// Through a point of the picture, in samples from the middle of the top left one.
   V3f ray_direction(float column, float row) const { return top_left_ + right_ * column - up_ * row; }
 
-  /// Half of the pixel's samples, row by row.
-  std::array<Ray, RayScene::kPacket> rays_of(int x, int y, std::size_t packet) const {
+  /// The 16 samples of each pixel of a tile.
+  std::array<Ray, RayScene::kPacket> rays_of(int x, int y) const {
     std::array<Ray, RayScene::kPacket> rays;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      int const sample = int(packet * rays.size() + i);
-      float const column = float(x * kSupersample + sample % kSupersample);
-      float const row = float(y * kSupersample + sample / kSupersample);
+    for (int i = 0; i < int(rays.size()); ++i) {
+      int const pixel = i / kSamples, sample = i % kSamples;
+      float const column = float((x + pixel % kTile) * kSupersample + sample % kSupersample);
+      float const row = float((y + pixel / kTile) * kSupersample + sample / kSupersample);
       rays[i] = {eye_, ray_direction(column, row), float(camera_.near), float(camera_.far)};
     }
     return rays;
+  }
+
+  /// All samples of a pixel are seen along the line through its middle.
+  Shading shading_at(int x, int y) const {
+    float const middle = (kSupersample - 1) / 2.0f;
+    V3f const sight = ray_direction(float(kSupersample * x) + middle, float(kSupersample * y) + middle);
+    return {-sight.normalized(), to_light_};
   }
 
   /// What the ray shows from its first hit on: front to back, on white, in the client's encoded values.
@@ -101,7 +109,7 @@ class Painter {
     std::size_t const material = source.face_materials.empty() ? 0 : source.face_materials[hit.face];
     V3f const light =
         source.materials[material].unlit ? base : shading(base, slope > 0 ? -surface.normal : surface.normal);
-    return {{srgb_byte(light.x), srgb_byte(light.y), srgb_byte(light.z)}, surface.colour[3]};
+    return {srgb_bytes(light), surface.colour[3]};
   }
 
   /// How far the hit moves on its face from this sample to the next one to the right, and to the one above.
@@ -119,6 +127,15 @@ class Painter {
   V3f to_light_;
 };
 
+/// What of a tile lies within the picture.
+void put(std::array<Texel, kTilePixels> const& tile, Image& picture, int left, int top) {
+  for (int p = 0; p < kTilePixels; ++p) {
+    int const x = left + p % kTile, y = top + p / kTile;
+    if (x < picture.width && y < picture.height)
+      std::copy(tile[p].begin(), tile[p].end(), &picture.texels[4 * (std::size_t(y) * picture.width + x)]);
+  }
+}
+
 }  // namespace
 
 std::vector<Image> render(SurveyedModel const& model, std::vector<Camera> const& cameras,
@@ -127,12 +144,11 @@ std::vector<Image> render(SurveyedModel const& model, std::vector<Camera> const&
   std::vector<Image> pictures(cameras.size());
   for (Image& picture : pictures)
     picture = {options.size, options.size, 4, ColourSpace::srgb, std::vector<std::uint8_t>(4 * size * size)};
-  parallel_blocks(cameras.size() * size, 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Painter const painter(model, cameras[i / size], options);
-      Texel* const row = reinterpret_cast<Texel*>(&pictures[i / size].texels[4 * size * (i % size)]);
-      for (std::size_t x = 0; x < size; ++x) row[x] = painter.pixel(int(x), int(i % size));
-    }
+  std::size_t const rows = (size + kTile - 1) / kTile;
+  parallel_for(cameras.size() * rows, 8, [&](std::size_t i) {
+    Painter const painter(model, cameras[i / rows], options);
+    for (int x = 0, y = int(i % rows) * kTile; x < options.size; x += kTile)
+      put(painter.tile(x, y), pictures[i / rows], x, y);
   });
   return pictures;
 }

@@ -41,6 +41,12 @@ struct SrgbBytes {
 
 SrgbBytes const kSrgbBytes;
 
+std::uint8_t srgb_byte(float linear) {
+  float const value = linear > 0 ? std::min(linear, 1.0f) : 0.0f;  // NaN is black
+  std::size_t const guess = kSrgbBytes.guesses[static_cast<std::size_t>(value * SrgbBytes::kSteps)];
+  return static_cast<std::uint8_t>(guess + (value >= kSrgbBytes.starts[guess + 1]));
+}
+
 }  // namespace
 
 Shading::Shading(V3f const& to_eye, V3f const& to_light)
@@ -57,10 +63,8 @@ V3f Shading::operator()(V3f const& base_colour, V3f const& normal) const {
   return base_colour * diffuse + V3f(direct * fresnel_ * visible * multiple_scattering(dot_nv));
 }
 
-std::uint8_t srgb_byte(float linear) {
-  float const value = linear > 0 ? std::min(linear, 1.0f) : 0.0f;  // NaN is black
-  std::size_t const guess = kSrgbBytes.guesses[static_cast<std::size_t>(value * SrgbBytes::kSteps)];
-  return static_cast<std::uint8_t>(guess + (value >= kSrgbBytes.starts[guess + 1]));
+std::array<std::uint8_t, 3> srgb_bytes(V3f const& linear) {
+  return {srgb_byte(linear.x), srgb_byte(linear.y), srgb_byte(linear.z)};
 }
 
 }  // namespace vitrine

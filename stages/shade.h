@@ -24,7 +24,7 @@ class Shading {
   float fresnel_;
 };
 
-/// The byte that a client writes for a linear value: sRGB encoded, clamped, rounded.
-std::uint8_t srgb_byte(float linear);
+/// The bytes that a client writes for a linear colour: sRGB encoded, clamped, rounded.
+std::array<std::uint8_t, 3> srgb_bytes(V3f const& linear);
 
 }  // namespace vitrine

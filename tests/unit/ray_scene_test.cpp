@@ -100,7 +100,7 @@ TEST(RayScene, APacketFindsWhatSingleRaysFind) {
   TriMesh const mesh = test::bumpy_sphere(64, 32);
   RayScene const scene(mesh);
   std::array<Ray, RayScene::kPacket> rays;
-  for (std::size_t i = 0; i < rays.size(); ++i) rays[i] = {{0.31f * float(i) - 1, 0.11f, 3}, {0, 0, -1}};
+  for (std::size_t i = 0; i < rays.size(); ++i) rays[i] = {{0.038f * float(i) - 1.2f, 0.11f, 3}, {0, 0, -1}};
   rays[2].side = {0, 0, -1};
   rays[3].far = -1;
   auto const hits = scene.first_hits(rays);
