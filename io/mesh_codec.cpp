@@ -15,6 +15,11 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+/// Tangents are axes with w = 1: each component is 0 or 1.
+constexpr int kTangentBits = 1;
+
+V4f with_w(V3f const& tangent) { return {tangent.x, tangent.y, tangent.z, 1}; }
+
 /// Plain parallelograms are up to 6 % smaller below some 2500 triangles, several constrained ones 3 % above 6000.
 struct Attempt {
   int method, prediction;
@@ -46,6 +51,7 @@ std::unique_ptr<draco::Mesh> build(VertexMesh const& mesh, DracoMesh& ids) {
   }
   ids.position_id = add_attribute(built, draco::GeometryAttribute::POSITION, mesh.positions);
   if (!mesh.normals.empty()) ids.normal_id = add_attribute(built, draco::GeometryAttribute::NORMAL, mesh.normals);
+  if (!mesh.tangents.empty()) ids.tangent_id = add_attribute(built, draco::GeometryAttribute::GENERIC, mesh.tangents);
   if (!mesh.uvs.empty()) ids.uv_id = add_attribute(built, draco::GeometryAttribute::TEX_COORD, mesh.uvs);
   // Edgebreaker walks over equal positions, not over vertices: seams then cost only the attributes that differ.
   if (!built.DeduplicateAttributeValues())
@@ -59,12 +65,15 @@ int position_attribute(draco::Mesh const& mesh) { return mesh.GetNamedAttributeI
 /// Fixes the steps of each attribute, so that equal values are equal in every file and on every client.
 void use_grid(draco::ExpertEncoder& encoder, draco::Mesh const& mesh, Grid const& grid) {
   V2f const corner(0, 0);
+  V4f const least(0, 0, 0, 0);
   int const uv = mesh.GetNamedAttributeId(draco::GeometryAttribute::TEX_COORD);
   int const normal = mesh.GetNamedAttributeId(draco::GeometryAttribute::NORMAL);
   encoder.SetAttributeExplicitQuantization(position_attribute(mesh), grid.position_bits, 3, grid.origin.getValue(),
                                            grid.range);
   if (uv >= 0) encoder.SetAttributeExplicitQuantization(uv, grid.uv_bits, 2, corner.getValue(), 1);
+  int const tangent = mesh.GetNamedAttributeId(draco::GeometryAttribute::GENERIC);
   if (normal >= 0) encoder.SetAttributeQuantization(normal, grid.normal_bits);
+  if (tangent >= 0) encoder.SetAttributeExplicitQuantization(tangent, kTangentBits, 4, &least.x, 1);
 }
 
 }  // namespace
@@ -73,22 +82,28 @@ VertexMesh split_vertices(BakedModel const& model) {
   VertexMesh split;
   std::vector<std::uint32_t> first(model.mesh.positions.size(), kNone);  // per welded vertex: its newest copy
   std::vector<std::uint32_t> next;                                       // per copy: the one made before it
-  auto copy_of = [&](std::uint32_t vertex, V2f const* uv) {
+  auto copy_of = [&](std::uint32_t vertex, V2f const* uv, V3f const* tangent) {
+    auto const is_it = [&](std::uint32_t copy) {
+      return (!uv || split.uvs[copy] == *uv) && (!tangent || split.tangents[copy] == with_w(*tangent));
+    };
     std::uint32_t copy = first[vertex];
-    while (copy != kNone && uv && split.uvs[copy] != *uv) copy = next[copy];
+    while (copy != kNone && !is_it(copy)) copy = next[copy];
     if (copy != kNone) return copy;
     copy = static_cast<std::uint32_t>(split.positions.size());
     split.positions.push_back(model.mesh.positions[vertex]);
     if (!model.normals.empty()) split.normals.push_back(model.normals[vertex]);
+    if (tangent) split.tangents.push_back(with_w(*tangent));
     if (uv) split.uvs.push_back(*uv);
     next.push_back(first[vertex]);
     return first[vertex] = copy;
   };
   split.triangles.reserve(model.mesh.triangles.size());
   for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f) {
+    V3f const* const tangent = model.chart_tangents.empty() ? nullptr : &model.chart_tangents[model.face_charts[f]];
     Triangle corners;
     for (std::size_t c = 0; c < 3; ++c)
-      corners[c] = copy_of(model.mesh.triangles[f][c], model.corner_uvs.empty() ? nullptr : &model.corner_uvs[f][c]);
+      corners[c] =
+          copy_of(model.mesh.triangles[f][c], model.corner_uvs.empty() ? nullptr : &model.corner_uvs[f][c], tangent);
     split.triangles.push_back(corners);
   }
   return split;

@@ -25,7 +25,7 @@ namespace io {
 struct EncodeOptions {
   Profile profile = Profile::web;
   int colour_quality = 80;
-  int normal_quality = 80;
+  int normal_quality = 60;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/bake.h"
 
+#include "stages/chart_tangents.h"
 #include "stages/clean.h"
 #include "stages/colour.h"
 #include "stages/fill.h"
@@ -68,9 +69,11 @@ class Baker {
         options_(options),
         side_(int(std::ceil(std::sqrt(double(options.samples))))),
         diagonal_(bounds(mesh_).size().length()),
-        normals_(decoded_normals(mesh_, target.grid.normal_bits)) {}
+        normals_(decoded_normals(mesh_, target.grid.normal_bits)),
+        tangents_(chart_tangents(atlas_, normals_)) {}
 
   std::vector<V3f> const& normals() const { return normals_; }
+  std::vector<V3f> const& tangents() const { return tangents_; }
 
   BakeStatistics bake(Layers& layers) const {
     AtlasRaster const raster(atlas_, side_);
@@ -107,11 +110,6 @@ class Baker {
   V3f outwards(SurfacePoint const& point) const {
     V3f const smooth = smooth_normal(point), flat = face_normal(mesh_, point.face);
     return smooth.dot(flat) > 0 ? smooth : flat;
-  }
-
-  /// Normal that the client starts from.
-  V3f drawn_normal(SurfacePoint const& point) const {
-    return options_.vertex_normals ? smooth_normal(point) : face_normal(mesh_, point.face);
   }
 
   /// Distance between two samples of this face, in model units.
@@ -188,9 +186,8 @@ class Baker {
   }
 
   void store_normal(SurfacePoint const& centre, V3f const& sum, float* texel) const {
-    V3f const drawn = drawn_normal(centre);
-    auto const p = corners(mesh_.positions, mesh_.triangles[centre.face]);
-    TangentFrame const frame = client_frame(p, atlas_.corner_uvs[centre.face], drawn);
+    V3f const drawn = smooth_normal(centre);
+    TangentFrame const frame = stored_frame(drawn, tangents_[atlas_.face_charts[centre.face]]);
     V3f const m = to_tangent_space(frame, sum.length2() > 0 ? sum.normalized() : drawn);
     for (int k = 0; k < 3; ++k) texel[k] = m[k] * 0.5f + 0.5f;
   }
@@ -202,6 +199,7 @@ class Baker {
   int side_;
   float diagonal_;
   std::vector<V3f> normals_;
+  std::vector<V3f> tangents_;  // by chart
 };
 
 /// The first `channels` of the layer.
@@ -275,8 +273,13 @@ void store_images(Layers const& layers, BakeOptions const& options, AlphaMode al
 BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options) {
   Baker const baker(target, original, options);
   BakedModel model = drawn_plain(target, original);
-  if (options.vertex_normals && !model.unlit) model.normals = baker.normals();
   Layers layers = wanted_layers(target.atlas, original, options);
+  bool const normal_map = layers.normal.channels > 0;
+  if (normal_map || (options.vertex_normals && !model.unlit)) model.normals = baker.normals();
+  if (normal_map) {
+    model.face_charts = target.atlas.face_charts;
+    model.chart_tangents = baker.tangents();
+  }
   if (layers.colour.channels + layers.normal.channels + layers.occlusion.channels == 0) return model;
   model.corner_uvs = target.atlas.corner_uvs;
   model.statistics = baker.bake(layers);

@@ -32,7 +32,9 @@ struct BakeOptions {
     visit(self.samples, Field{"samples", "per texel", "rounded up to a square number", 1, 256});
     visit(self.reach, Field{"reach", "box diagonals", "how far rays look for the original", 1e-4, 1});
     visit(self.normal_map, Field{"normal-map", "", "bake the original's normals"});
-    visit(self.vertex_normals, Field{"vertex-normals", "", "store smooth normals; without them clients draw facets"});
+    visit(self.vertex_normals,
+          Field{"vertex-normals", "",
+                "store smooth normals, as a normal map needs anyway; without them clients draw facets"});
     visit(self.occlusion,
           Field{"ao", "", "ambient occlusion for models without colour: as glTF occlusion, or as grey colour"});
     visit(self.occlusion_rays, Field{"ao-rays", "rays", "per texel", 4, 4096});
@@ -47,8 +49,8 @@ struct BakeOptions {
 /// Out:    vertex normals for the quantised mesh, as the client decodes them; maps as large as the atlas, in which
 ///         every texel that a client reads for a point of a chart has its values, and the rest is filled smoothly.
 ///         No colour map for models of one colour or none; alpha only where something is transparent; normals in the
-///         client's frame (tangent_frame.h), none for unlit models. Double-sided if the original is, or the mesh has a
-///         boundary. The same bytes at any thread count.
+///         frame of the chart's tangent, which goes with them (tangent_frame.h), none for unlit models. Double-sided if
+///         the original is, or the mesh has a boundary. The same bytes at any thread count.
 /// Cost:   two rays a sample, tiles of the texture in parallel; 12 floats a texel at most.
 BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options = {});
 

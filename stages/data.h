@@ -149,12 +149,14 @@ struct BakeStatistics {
 struct BakedModel {
   TriMesh mesh;
   std::vector<CornerUvs> corner_uvs;  ///< f; empty when there is no map
-  std::vector<V3f> normals;           ///< n, unit; empty: drawn flat
+  std::vector<V3f> normals;           ///< n, unit; empty: drawn flat, never with a normal map
+  std::vector<std::uint32_t> face_charts; ///< f, index into chart_tangents; empty when there is no normal map
+  std::vector<V3f> chart_tangents;    ///< c, each +X, +Y or +Z; glTF's TANGENT of all the chart's vertices, w = 1
   V3d origin{0, 0, 0};
   Grid grid;
   Rgba base_colour{1, 1, 1, 1};       ///< multiplies the colour map; alone for models of one colour
   std::optional<Image> colour;        ///< sRGB, 3 or 4 channels
-  std::optional<Image> normal;        ///< tangent space in the client's frame, 3 channels, linear
+  std::optional<Image> normal;        ///< tangent space of chart_tangents, 3 channels, linear
   std::optional<Image> occlusion;     ///< 1 channel, linear
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;

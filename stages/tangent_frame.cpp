@@ -1,17 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/tangent_frame.h"
 
+#include <Imath/ImathVec.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace vitrine {
 namespace {
 
+using Imath::V2d;
+
 /// The smallest z that glTF allows in a normal map, 8-bit 128.
 constexpr double kLeastZ = 1.0 / 255;
 
 /// Below this share of the longer column's square, T and B count as collinear: 8 bits could not tell them apart.
 constexpr double kSingular = 1e-4;
+
+/// Below this share of N across the plane of T and B, T counts as lying along N: what m.x shows could not be told.
+constexpr double kUpright = 0.1;
+
+/// The direction that m.z alone adds to, perpendicular to T and B; N itself where they span no plane that N leaves.
+V3d upwards(TangentFrame const& frame) {
+  V3d const n(frame.normal), across = V3d(frame.tangent).cross(V3d(frame.bitangent));
+  bool const spans = across.length2() > kSingular && std::abs(across.normalized().dot(n)) > kUpright;
+  return spans ? across : n;
+}
+
+/// The (x, y) for which x T + y B comes nearest to `wanted`; the shortest of them.
+V2d in_plane(TangentFrame const& frame, V3d const& wanted) {
+  V3d const t(frame.tangent), b(frame.bitangent);
+  double const tt = t.length2(), tb = t.dot(b), bb = b.length2(), wt = wanted.dot(t), wb = wanted.dot(b);
+  double const determinant = tt * bb - tb * tb;
+  if (determinant > kSingular) return V2d(bb * wt - tb * wb, tt * wb - tb * wt) / determinant;
+  return tt + bb > 0 ? V2d(wt, wb) / (tt + bb) : V2d(0, 0);
+}
 
 }  // namespace
 
@@ -24,21 +47,17 @@ TangentFrame client_frame(std::array<V3f, 3> const& positions, CornerUvs const& 
   return {V3f(t * scale), V3f(b * scale), normal};
 }
 
+TangentFrame stored_frame(V3f const& normal, V3f const& tangent) {
+  return {tangent.normalized(), normal.cross(tangent).normalized(), normal};
+}
+
 V3f to_tangent_space(TangentFrame const& frame, V3f const& wanted) {
-  V3d const t(frame.tangent), b(frame.bitangent), w(wanted);
-  double const tt = t.length2(), tb = t.dot(b), bb = b.length2(), wt = w.dot(t), wb = w.dot(b);
-  double const determinant = tt * bb - tb * tb;
-  V3d m(0, 0, w.dot(V3d(frame.normal)));
-  if (determinant > kSingular) {
-    m.x = (bb * wt - tb * wb) / determinant;
-    m.y = (tt * wb - tb * wt) / determinant;
-  } else if (tt + bb > 0) {
-    m.x = wt / (tt + bb);
-    m.y = wb / (tt + bb);
-  }
-  double const flat = std::hypot(m.x, m.y);
-  m.z = flat > 0 ? std::max(m.z, kLeastZ * flat) : 1;
-  return V3f(m.normalized());
+  V3d const n(frame.normal), w(wanted);
+  V3d const up = upwards(frame);
+  double const z = std::max(w.dot(up) / n.dot(up), 0.0);
+  V2d const xy = in_plane(frame, w - n * z);
+  double const flat = xy.length();
+  return V3f(V3d(xy.x, xy.y, flat > 0 ? std::max(z, kLeastZ * flat) : 1).normalized());
 }
 
 V3f from_tangent_space(TangentFrame const& frame, V3f const& m) {

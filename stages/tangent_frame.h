@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// The frame in which clients read a tangent-space normal map.
+/// The frames in which clients read a tangent-space normal map.
 ///
-/// glTF asks for MikkTSpace when TANGENT is absent. three.js (r187: normalmap_pars_fragment, normal_fragment_begin and
-/// _maps, GLTFLoader), and with it model-viewer, and Babylon build the frame per pixel instead. With N the interpolated
-/// normal, normalised, (q0, q1) the screen derivatives of the position and (s0, s1), (t0, t1) those of u and v:
+/// With TANGENT, as in every file that we write, all clients agree: glTF says B = cross(N, T) w with the vertex's own
+/// normal and tangent. three.js (r187: normal_vertex, normal_fragment_begin and _maps) normalises T and B at the
+/// vertex, interpolates, normalises again, and shows normalize(T m.x + B m.y + N m.z); GLTFLoader leaves normalScale
+/// alone. Our T is the same at all vertices of a chart, so that it costs next to nothing, and w is 1; hence T is hardly
+/// ever orthogonal to N, and normal maps must be made for the skewed frame. Where T leans by some angle from the plane
+/// of N, clients that leave B unnormalised (Babylon) shorten m.y by that angle's cosine.
+///
+/// Without TANGENT clients differ. glTF asks for MikkTSpace, the Khronos validator warns of it, but three.js
+/// (normalmap_pars_fragment), and with it model-viewer, and Babylon build the frame per pixel, jumping from triangle to
+/// triangle; originals are read as they show them. With N the interpolated normal, normalised, (q0, q1) the screen
+/// derivatives of the position and (s0, s1), (t0, t1) those of u and v:
 ///
 ///     T = (q1 x N) s0 + (N x q0) s1      scale = 1 / sqrt(max(T.T, B.B)), or 0
 ///     B = (q1 x N) t0 + (N x q0) t1      shown = normalize(scale T m.x - scale B m.y + N m.z)
@@ -21,18 +29,23 @@
 
 namespace vitrine {
 
-/// Columns T and B as above, scaled, B pointing up (-v), and the unit normal N.
+/// Columns T and B as above, of length 1 or scaled, and the unit normal N.
 struct TangentFrame {
   V3f tangent, bitangent, normal;
 };
 
-/// Frame at a point of a triangle with the given corner positions, uvs and interpolated unit normal.
+/// Frame of a model without TANGENT, at a point of a triangle with the given corner positions, uvs and interpolated
+/// unit normal; B points up (-v).
 /// A triangle without uv gradient gets T = B = 0: only N counts there, as on the client.
 TangentFrame client_frame(std::array<V3f, 3> const& positions, CornerUvs const& uvs, V3f const& normal);
 
+/// Frame of a model with TANGENT of w = 1, where the interpolated unit normal and the tangent are these.
+/// A tangent along the normal gives B = 0.
+TangentFrame stored_frame(V3f const& normal, V3f const& tangent);
+
 /// Normal-map value m (each in [-1,1], unit, as stored: green up as glTF says) for which the client shows `wanted`
-/// (unit, model space). m.z is at least 1/255 of the whole: where `wanted` lies behind the normal, the nearest that can
-/// be shown; where T and B are collinear, what they can reach with the shortest m.
+/// (unit, model space). m.z is at least 1/255 of the whole: where `wanted` lies behind the plane of T and B, the
+/// nearest that can be shown; where T and B are collinear, what they can reach with the shortest m.
 V3f to_tangent_space(TangentFrame const& frame, V3f const& wanted);
 
 /// What the client shows for m: normalize(T m.x + B m.y + N m.z).

@@ -24,7 +24,7 @@ std::vector<Vector> values(draco::Mesh const& mesh, draco::GeometryAttribute::Ty
   draco::PointAttribute const* attribute = mesh.GetNamedAttribute(type);
   std::vector<Vector> result(attribute ? mesh.num_points() : 0);
   for (std::uint32_t i = 0; i < result.size(); ++i)
-    attribute->GetValue(attribute->mapped_index(draco::PointIndex(i)), result[i].getValue());
+    attribute->GetValue(attribute->mapped_index(draco::PointIndex(i)), &result[i][0]);
   return result;
 }
 
@@ -39,12 +39,16 @@ BakedModel random_model(unsigned seed, int slices, int stacks) {
       p[k] = snap(p[k], model.grid.origin[k], model.grid.range, model.grid.position_bits);
   for (V3f const& p : model.mesh.positions) model.normals.push_back(p.normalized());
 
+  model.chart_tangents = {{1, 0, 0}, {0, 0, 1}};
+
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(-1, 1);
   V3f const cut = V3f(unit(random), unit(random), unit(random)).normalized();
   for (Triangle const& t : model.mesh.triangles) {
     V3f const centre = (model.mesh.positions[t[0]] + model.mesh.positions[t[1]] + model.mesh.positions[t[2]]) / 3;
-    float const shift = centre.dot(cut) < 0 ? 0.25f : 0.75f;
+    bool const far = centre.dot(cut) < 0;
+    float const shift = far ? 0.25f : 0.75f;
+    model.face_charts.push_back(far);
     CornerUvs uvs;
     for (std::size_t c = 0; c < 3; ++c) {
       V3f const& p = model.mesh.positions[t[c]];
@@ -64,6 +68,7 @@ io::VertexMesh decode_draco(std::span<std::byte const> bytes) {
   draco::Mesh const& from = *decoded.value();
   io::VertexMesh mesh{values<V3f>(from, draco::GeometryAttribute::POSITION),
                       values<V3f>(from, draco::GeometryAttribute::NORMAL),
+                      values<Imath::V4f>(from, draco::GeometryAttribute::GENERIC),
                       values<V2f>(from, draco::GeometryAttribute::TEX_COORD),
                       {}};
   for (std::uint32_t f = 0; f < from.num_faces(); ++f) {
@@ -80,7 +85,8 @@ std::vector<Corners> corners(io::VertexMesh const& mesh) {
     for (std::size_t c = 0; c < 3; ++c) {
       V3f const& p = mesh.positions[t[c]];
       V2f const uv = mesh.uvs.empty() ? V2f(0) : mesh.uvs[t[c]];
-      triangle[c] = {p.x, p.y, p.z, uv.x, uv.y};
+      Imath::V4f const tangent = mesh.tangents.empty() ? Imath::V4f(0) : mesh.tangents[t[c]];
+      triangle[c] = {p.x, p.y, p.z, uv.x, uv.y, tangent.x, tangent.y, tangent.z, tangent.w};
     }
     std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     all.push_back(triangle);

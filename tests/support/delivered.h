@@ -10,15 +10,15 @@
 
 namespace vitrine::test {
 
-/// A bumpy sphere on a grid of 11 bits, cut into charts along seeded planes: uvs on their grid, differing between
-/// charts.
+/// A bumpy sphere on a grid of 11 bits, cut into charts along seeded planes: uvs on their grid and
+/// tangents, both differing between charts.
 BakedModel random_model(unsigned seed, int slices = 24, int stacks = 12);
 
 /// Decodes with the Draco library alone.
 io::VertexMesh decode_draco(std::span<std::byte const> bytes);
 
-/// Position and uv of a triangle's corners, the least corner first, the winding kept.
-using Corners = std::array<std::array<float, 5>, 3>;
+/// Position, uv and tangent of a triangle's corners, the least corner first, the winding kept.
+using Corners = std::array<std::array<float, 9>, 3>;
 /// Of all triangles, sorted: equal for meshes that differ in nothing but order.
 std::vector<Corners> corners(io::VertexMesh const& mesh);
 

@@ -36,6 +36,18 @@ TEST(SplitVertices, MakesOneVertexPerPositionAndUv) {
   EXPECT_EQ(split_vertices(model).positions.size(), 5u);
 }
 
+TEST(SplitVertices, KeepsChartsOfDifferentTangentsApart) {
+  BakedModel model = bare(test::grid(1, 1));
+  model.face_charts = {0, 1};
+  model.chart_tangents = {{1, 0, 0}, {0, 1, 0}};
+  VertexMesh const split = split_vertices(model);
+  EXPECT_EQ(split.positions.size(), 6u);
+  EXPECT_EQ(split.tangents[split.triangles[0][0]], Imath::V4f(1, 0, 0, 1));
+  EXPECT_EQ(split.tangents[split.triangles[1][0]], Imath::V4f(0, 1, 0, 1));
+  model.chart_tangents[1] = {1, 0, 0};
+  EXPECT_EQ(split_vertices(model).positions.size(), 4u);
+}
+
 TEST(SplitVertices, NumbersByFirstUseAndDropsTheUnused) {
   BakedModel model = bare({{{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {{3, 0, 2}}});
   model.normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -81,6 +93,14 @@ TEST(EncodeDraco, KeepsNormalsWithinTheirBits) {
     EXPECT_GT(decoded.normals[i].dot(decoded.positions[i].normalized()), std::cos(0.015f));
 }
 
+TEST(EncodeDraco, TangentsAreNearlyFree) {
+  BakedModel model = random_model(1, 48, 32);
+  std::size_t const with = encode_draco(split_vertices(model), model.grid).bytes.size();
+  model.chart_tangents.clear();
+  std::size_t const without = encode_draco(split_vertices(model), model.grid).bytes.size();
+  EXPECT_LT(with - without, without / 20);
+}
+
 TEST(EncodeDraco, ReportsWhatADecoderFinds) {
   for (TriMesh const& mesh :
        {test::cube(), test::moebius(), test::non_manifold_edge(), test::two_shells(), test::torus()}) {
@@ -99,7 +119,7 @@ TEST(EncodeDraco, GivesTheSameBytesAgain) {
 }
 
 TEST(EncodeDraco, StoresSequentiallyWhatEdgebreakerRefuses) {
-  VertexMesh const collapsed{{{0, 0, 0}, {1, 0, 0}}, {}, {}, {{0, 1, 1}}};
+  VertexMesh const collapsed{{{0, 0, 0}, {1, 0, 0}}, {}, {}, {}, {{0, 1, 1}}};
   DracoMesh const coded = encode_draco(collapsed, {{0, 0, 0}, 1, 8, 8, 8});
   EXPECT_EQ(std::to_integer<int>(coded.bytes[8]), 0);  // the header's method: 0 sequential, 1 edgebreaker
   EXPECT_EQ(decode_draco(coded.bytes).triangles.size(), coded.triangles);

@@ -385,7 +385,7 @@ TEST(ReadGltf, InstancingRepeatsTheMesh) {
 
 Builder draco_square() {
   VertexMesh const mesh{
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}, {}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
   DracoMesh const draco = encode_draco(mesh, {{0, 0, 0}, 1, 12, 10, 0});
   Builder b = square();
   b.primitive()["attributes"]["TEXCOORD_0"] = 0;

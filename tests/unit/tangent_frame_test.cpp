@@ -107,5 +107,41 @@ TEST(TangentFrame, CollinearGradientsReachWhatLiesAlongThem) {
   EXPECT_LT(degrees_between(from_tangent_space(frame, to_tangent_space(frame, wanted)), wanted), 0.01f);
 }
 
+TEST(StoredFrame, TheBitangentIsNormalCrossTangent) {
+  TangentFrame const frame = stored_frame({0, 0, 1}, {1, 0, 0});
+  EXPECT_EQ(frame.tangent, V3f(1, 0, 0));
+  EXPECT_EQ(frame.bitangent, V3f(0, 1, 0));
+  EXPECT_EQ(stored_frame({0, 0.6f, 0.8f}, {0, 1, 0}).bitangent, V3f(-1, 0, 0));
+}
+
+TEST(StoredFrame, ToIsTheInverseOfFromWhereTheTangentLeans) {
+  Random random{std::mt19937(5)};
+  for (int i = 0; i < 300; ++i) {
+    V3f const normal = random.direction(), tangent = random.direction();
+    V3f const wanted = (normal + random.direction() * 0.4f).normalized();
+    if (std::abs(normal.dot(tangent)) > 0.8f) continue;
+    TangentFrame const frame = stored_frame(normal, tangent);
+    EXPECT_LT(degrees_between(from_tangent_space(frame, to_tangent_space(frame, wanted)), wanted), 0.1f);
+  }
+}
+
+TEST(StoredFrame, BeyondTheTangentTheNearestIsShown) {
+  TangentFrame const frame = stored_frame({0, 0, 1}, V3f(1, 0, 1));  // shows what leans to +X by 45 degrees at most
+  V3f const wanted = V3f(2, 0.5f, 1).normalized();
+  V3f const nearest = (wanted - V3f(1, 0, -1) * (wanted.dot(V3f(1, 0, -1)) / 2)).normalized();
+  V3f const m = to_tangent_space(frame, wanted);
+  EXPECT_LT(degrees_between(from_tangent_space(frame, m), nearest), 0.5f);
+  EXPECT_GT(m.z, 0.0039f);
+}
+
+TEST(StoredFrame, ATangentAlongTheNormalStillShowsTheNormal) {
+  for (V3f const& tangent : {V3f(0, 0, 1), V3f(0.01f, 0, 1), V3f(0, 0, -1)}) {
+    TangentFrame const frame = stored_frame({0, 0, 1}, tangent);
+    EXPECT_LT(degrees_between(from_tangent_space(frame, to_tangent_space(frame, {0, 0, 1})), {0, 0, 1}), 0.01f);
+    V3f const shown = from_tangent_space(frame, to_tangent_space(frame, V3f(0.3f, 0.3f, 1).normalized()));
+    EXPECT_LT(degrees_between(shown, {0, 0, 1}), 45);
+  }
+}
+
 }  // namespace
 }  // namespace vitrine

@@ -124,6 +124,12 @@ VertexMesh dequantise(Glb const& glb) {
           V3f(at<std::int8_t>(vertices, n), at<std::int8_t>(vertices, n + 1), at<std::int8_t>(vertices, n + 2)) /
           127.0f);
     }
+    if (attributes.contains("TANGENT")) {
+      Imath::V4f tangent;
+      for (int k = 0; k < 4; ++k)
+        tangent[k] = at<std::int8_t>(vertices, v + offset("TANGENT") + std::size_t(k)) / 127.0f;
+      mesh.tangents.push_back(tangent);
+    }
     if (attributes.contains("TEXCOORD_0")) {
       std::size_t const t = v + offset("TEXCOORD_0");
       mesh.uvs.push_back(V2f(at<std::uint16_t>(vertices, t), at<std::uint16_t>(vertices, t + 2)) / 65535.0f);
@@ -228,7 +234,8 @@ TEST(WriteGlb, OurOwnReaderFindsTheSameMesh) {
     model.origin = {1e6, -2e6, 3e6};
     Resolve const nothing = [](std::string_view) { return std::nullopt; };
     SourceModel const read = read_gltf(own(encode(model, "", {profile}).glb), nothing);
-    VertexMesh mesh{read.mesh.positions, {}, read.uvs, read.mesh.triangles};
+    model.chart_tangents.clear();  // it reads none
+    VertexMesh mesh{read.mesh.positions, {}, {}, read.uvs, read.mesh.triangles};
     V3f const shift(read.origin - model.origin);
     for (V3f& p : mesh.positions) p += shift;
     snap_to(model.grid, mesh);
@@ -258,7 +265,21 @@ TEST(WriteGlb, FineNormalsTakeSixteenBits) {
   model.grid.normal_bits = 10;
   Json const json = json_of(model, {Profile::plain});
   EXPECT_EQ(json["accessors"][1]["componentType"], 5122);
-  EXPECT_EQ(json["bufferViews"][0]["byteStride"], 20);
+  EXPECT_EQ(json["bufferViews"][0]["byteStride"], 24);
+}
+
+TEST(WriteGlb, ChartTangentsBecomeUnitVectorsOfFour) {
+  for (Profile profile : kProfiles) {
+    BakedModel model = with_all_maps();
+    Json const json = json_of(model, {profile});
+    Json const& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+    Json const& accessor = json["accessors"][attributes["TANGENT"].get<std::size_t>()];
+    EXPECT_EQ(accessor["type"], "VEC4");
+    EXPECT_EQ(accessor["componentType"], profile == Profile::web ? 5126 : 5120);
+    model.normal.reset();
+    model.chart_tangents.clear();
+    EXPECT_FALSE(json_of(model, {profile})["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
+  }
 }
 
 TEST(WriteGlb, NamesTheNodeAndMendsBadText) {

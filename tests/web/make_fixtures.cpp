@@ -104,14 +104,15 @@ Fixture cube(std::string name, V3d const& origin) {
 struct Chart {
   char const* name;
   float matrix[4];
+  V3f tangent;
 };
-constexpr Chart kCharts[] = {{"straight", {0.4f, 0, 0, -0.4f}},
-                             {"mirrored", {-0.4f, 0, 0, -0.4f}},
-                             {"turned", {0.15f, 0.26f, 0.26f, -0.15f}},
-                             {"sheared", {0.3f, 0.2f, 0.05f, -0.15f}}};
+constexpr Chart kCharts[] = {{"straight", {0.4f, 0, 0, -0.4f}, {1, 0, 0}},
+                             {"mirrored", {-0.4f, 0, 0, -0.4f}, {0, 1, 0}},
+                             {"turned", {0.15f, 0.26f, 0.26f, -0.15f}, {1, 0, 0}},
+                             {"sheared", {0.3f, 0.2f, 0.05f, -0.15f}, {0, 1, 0}}};
 
-/// A quad whose normal map says, in the frame that clients build for this chart, that it is tilted; drawn with vertex
-/// normals that lean elsewhere, or flat. It must shade as a surface with that normal.
+/// A quad whose normal map says, in the frame of a tangent that is not orthogonal to its normals, that it is tilted;
+/// drawn with vertex normals that lean elsewhere, or with the facets' own. It must shade as a surface with that normal.
 Fixture tilted(Chart const& chart, bool flat) {
   BakedModel model = quad();
   for (std::size_t f = 0; f < 2; ++f)
@@ -120,14 +121,12 @@ Fixture tilted(Chart const& chart, bool flat) {
       float const* m = chart.matrix;
       model.corner_uvs[f][c] = V2f(0.5f + m[0] * p.x + m[1] * p.y, 0.5f + m[2] * p.x + m[3] * p.y);
     }
-  V3f const leaning = V3f(-0.2f, 0.1f, 1).normalized(), wanted = V3f(0.35f, 0.2f, 1).normalized();
-  if (flat)
-    model.normals.clear();
-  else
-    model.normals.assign(4, leaning);
-  std::array<V3f, 3> const corners{model.mesh.positions[0], model.mesh.positions[1], model.mesh.positions[2]};
-  TangentFrame const frame = client_frame(corners, model.corner_uvs[0], flat ? V3f(0, 0, 1) : leaning);
-  V3f const m = to_tangent_space(frame, wanted);
+  V3f const normal = flat ? V3f(0, 0, 1) : V3f(-0.2f, 0.1f, 1).normalized();
+  V3f const wanted = V3f(0.35f, 0.2f, 1).normalized();
+  model.normals.assign(4, normal);
+  model.face_charts = {0, 0};
+  model.chart_tangents = {chart.tangent};
+  V3f const m = to_tangent_space(stored_frame(normal, chart.tangent), wanted);
   std::vector<std::uint8_t> texel;
   for (unsigned k = 0; k < 3; ++k) texel.push_back(static_cast<std::uint8_t>(std::lround(127.5f + 127.5f * m[k])));
   model.colour = plain_image(32, {200, 200, 200}, ColourSpace::srgb);
@@ -140,6 +139,7 @@ Fixture tilted(Chart const& chart, bool flat) {
 
 Fixture charts() {
   BakedModel model = test::random_model(7, 64, 32);
+  model.chart_tangents.clear();
   model.colour = plain_image(64, {180, 90, 45}, ColourSpace::srgb);
   return {"charts", model, {{"pixels", {pixel(0, 0, {180, 90, 45})}}}};
 }
