@@ -34,9 +34,8 @@ struct DracoMesh {
 };
 
 /// Encodes on the grid's own steps: what was quantised before is stored without further loss, and so are
-/// tangents that are axes (others are not). Speed 0. Equal vertices
-/// become one, triangles that use a vertex twice are dropped. What edgebreaker cannot take is stored with sequential
-/// connectivity. Errors: Broken for a mesh without triangles, a grid without extent, or when Draco refuses both ways.
+/// tangents along axes (others are not). Speed 0. Equal vertices become one, triangles that use a vertex twice are
+/// dropped. What edgebreaker cannot take is stored with sequential connectivity. Errors: Broken for a mesh without triangles, a grid without extent, or when Draco refuses both ways.
 DracoMesh encode_draco(VertexMesh const& mesh, Grid const& grid);
 
 }  // namespace vitrine::io
