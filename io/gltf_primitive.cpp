@@ -134,6 +134,7 @@ void check_count(GltfPrimitive const& primitive, std::vector<T> const& attribute
 
 void check_counts(GltfPrimitive const& p) {
   check_count(p, p.normals, "NORMAL");
+  check_count(p, p.tangents, "TANGENT");
   check_count(p, p.uvs, "TEXCOORD");
   check_count(p, p.colours, "COLOR_0");
   check_count(p, p.joints, "JOINTS_0");
@@ -205,6 +206,7 @@ void drop_unused(GltfPrimitive& p) {
     for (std::uint32_t& corner : t) corner = number[corner];
   gather(p.positions, kept);
   gather(p.normals, kept);
+  gather(p.tangents, kept);
   gather(p.uvs, kept);
   gather(p.colours, kept);
   gather(p.joints, kept);
@@ -228,6 +230,7 @@ GltfPrimitive read_primitive(GltfFile& gltf, GltfJson const& description, std::u
   primitive.positions = vectors(gltf, attributes.take("POSITION", 3, 3), "POSITION");
   check_limits(gltf.limits(), primitive.positions.size(), 0, 0);
   primitive.normals = vectors(gltf, attributes.take("NORMAL", 3, 3), "NORMAL");
+  primitive.tangents = fours<float>(to_floats(attributes.take("TANGENT", 4, 4)));
   primitive.uvs = texture_coordinates(attributes.take("TEXCOORD_" + std::to_string(uv_set), 2, 2));
   primitive.colours = colours(attributes.take("COLOR_0", 3, 4));
   ComponentArray const joints = attributes.take("JOINTS_0", 4, 4);

@@ -19,6 +19,7 @@ struct MorphTarget {
 struct GltfPrimitive {
   std::vector<V3f> positions;
   std::vector<V3f> normals;
+  std::vector<std::array<float, 4>> tangents;
   std::vector<V2f> uvs;  ///< finite
   std::vector<Rgba16> colours;
   std::vector<std::array<std::uint32_t, 4>> joints;

@@ -19,6 +19,14 @@ V3f turned(V3f const& normal, M44d const& inverse_transposed) {
   return unit_or_zero(direction);
 }
 
+/// A TANGENT moves with the surface; its side stays as it is stored. Zero where it has no direction.
+V4f moved(std::array<float, 4> const& tangent, M44d const& world) {
+  V3d direction;
+  world.multDirMatrix(V3d(tangent[0], tangent[1], tangent[2]), direction);
+  V3f const unit = unit_or_zero(direction);
+  return {unit.x, unit.y, unit.z, tangent[3] < 0 ? -1.f : 1.f};
+}
+
 M44d for_normals(M44d const& world) {
   return world.determinant() == 0 ? M44d(world).transposed() : world.inverse().transposed();
 }
@@ -108,7 +116,9 @@ class Flattener {
   void add_places(GltfPrimitive const& part, Pose const& pose, MeshInstance const& instance, bool skinned) {
     M44d world = instance.world, to_normals = for_normals(world);
     std::vector<V3f> normals;
+    std::vector<V4f> tangents;
     normals.reserve(pose.normals.size());
+    tangents.reserve(part.tangents.size());
     std::size_t const first = positions_.size();
     for (std::size_t i = 0; i < pose.positions.size(); ++i) {
       if (skinned) {
@@ -117,8 +127,10 @@ class Flattener {
       }
       positions_.push_back(pose.positions[i] * world);
       if (!pose.normals.empty()) normals.push_back(turned(pose.normals[i], to_normals));
+      if (!part.tangents.empty()) tangents.push_back(moved(part.tangents[i], world));
     }
     append(model_.normals, normals, first, V3f(0, 0, 0));
+    append(model_.tangents, tangents, first, V4f(0, 0, 0, 0));
   }
 
   /// Adds a part's attribute; vertices before it that have none get `missing`. `clean` replaces normals of zero length.
@@ -131,6 +143,7 @@ class Flattener {
 
   void pad(std::size_t vertices) {
     if (!model_.normals.empty()) model_.normals.resize(vertices, V3f(0, 0, 0));
+    if (!model_.tangents.empty()) model_.tangents.resize(vertices, V4f(0, 0, 0, 0));
     if (!model_.uvs.empty()) model_.uvs.resize(vertices, V2f(0, 0));
     if (!model_.colours.empty()) model_.colours.resize(vertices, kWhite);
   }

@@ -31,6 +31,7 @@ void turn_z_up(SourceModel& model) {
   auto turn = [](auto& v) { v = {v.x, v.z, -v.y}; };
   for (V3f& p : model.mesh.positions) turn(p);
   for (V3f& n : model.normals) turn(n);
+  for (V4f& t : model.tangents) t = {t.x, t.z, -t.y, t.w};
   turn(model.origin);
 }
 

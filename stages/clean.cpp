@@ -235,6 +235,7 @@ bool drop_unused_vertices(SourceModel& model) {
   for (Triangle& t : model.mesh.triangles) t = placed(t, renamed);
   compact(model.mesh.positions, used);
   compact(model.normals, used);
+  compact(model.tangents, used);
   compact(model.uvs, used);
   compact(model.colours, used);
   return true;

@@ -24,6 +24,7 @@ using Imath::Box3f;
 using Imath::V2f;
 using Imath::V3d;
 using Imath::V3f;
+using Imath::V4f;
 
 using Triangle = std::array<std::uint32_t, 3>;
 using CornerUvs = std::array<V2f, 3>;
@@ -76,6 +77,7 @@ struct SourceModel {
   TriMesh mesh;
   V3d origin{0, 0, 0};                         ///< added to every position; not 0 only where float would lose detail
   std::vector<V3f> normals;                    ///< n, unit; empty: the file gives none
+  std::vector<V4f> tangents;                   ///< n; unit, w the side of the bitangent (1, -1), zero: none; empty: none
   std::vector<V2f> uvs;                        ///< n; empty: none
   std::vector<Rgba16> colours;                 ///< n; empty: none
   std::vector<std::uint16_t> face_materials;   ///< f, index into materials; empty: all faces use materials[0]

@@ -110,6 +110,22 @@ struct Surface::Impl {
     return mixed;
   }
 
+  /// As clients build it: from TANGENT where the file has it, else from the surface's own derivatives.
+  TangentFrame frame(std::uint32_t face, Barycentric const& at, std::array<V3f, 3> const& p, CornerUvs const& uvs,
+                     V3f const& normal) const {
+    if (!model.tangents.empty()) {
+      auto const t = corners(model.tangents, face);
+      V4f const tangent = interpolate(t[0], t[1], t[2], at);
+      V3f const direction(tangent.x, tangent.y, tangent.z);
+      if (direction.length2() > 0) {
+        TangentFrame stored = stored_frame(normal, direction.normalized());
+        if (tangent.w < 0) stored.bitangent = -stored.bitangent;
+        return stored;
+      }
+    }
+    return client_frame(p, uvs, normal);
+  }
+
   /// `texels(image, positions, uvs)`: how many texels of the image the sample's footprint is across.
   template <class Texels>
   SurfaceSample sample(Hit const& hit, Texels const& texels) const {
@@ -132,7 +148,7 @@ struct Surface::Impl {
       Rgba const texel = read(material.normal_map, normal_maps, uvs);
       V3f const scale(material.normal_scale, material.normal_scale, 1);
       V3f const m = (V3f(texel[0], texel[1], texel[2]) * 2.f - V3f(1)) * scale;
-      V3f const shown = from_tangent_space(client_frame(p, uvs, sample.normal), m);
+      V3f const shown = from_tangent_space(frame(hit.face, at, p, uvs, sample.normal), m);
       if (shown.length2() > 0) sample.normal = shown;
     }
     sample.colour[3] = coverage(material, sample.colour[3]);

@@ -70,6 +70,17 @@ TEST(Surface, NormalMapsTiltTheNormalWithGreenUpAndScaleApplied) {
   EXPECT_EQ(Surface(model).sample({0, 0.2f, 0.2f}, 0).normal, V3f(0, 0, 1));
 }
 
+TEST(Surface, NormalMapsFollowTheFilesOwnTangents) {
+  SourceModel model = textured_triangle({1, 1, 3, ColourSpace::linear, {128, 255, 128}});
+  model.materials[0].normal_map.image = 0;
+  model.tangents.assign(3, V4f(0, 1, 0, 1));  // T = +Y, so B = N x T = -X
+  EXPECT_LT(Surface(model).sample({0, 0.2f, 0.2f}, 0).normal.x, -0.99f);
+  model.tangents.assign(3, V4f(0, 1, 0, -1));
+  EXPECT_GT(Surface(model).sample({0, 0.2f, 0.2f}, 0).normal.x, 0.99f);
+  model.tangents.assign(3, V4f(0, 0, 0, 0));  // none here: as without
+  EXPECT_GT(Surface(model).sample({0, 0.2f, 0.2f}, 0).normal.y, 0.99f);
+}
+
 TEST(Surface, CoverageFollowsTheAlphaMode) {
   SourceModel model = test::plain_model(test::triangle());
   Material& material = model.materials[0];
