@@ -65,8 +65,8 @@ void refuse_above(std::uint64_t limit, std::uint64_t value, std::string const& u
 
 std::uint64_t bytes_of(SourceModel const& model) {
   return model.mesh.positions.size() * sizeof(V3f) + model.mesh.triangles.size() * sizeof(Triangle) +
-         model.normals.size() * sizeof(V3f) + model.tangents.size() * sizeof(V4f) +
-         model.uvs.size() * sizeof(V2f) + model.colours.size() * sizeof(Rgba16);
+         model.normals.size() * sizeof(V3f) + model.tangents.size() * sizeof(V4f) + model.uvs.size() * sizeof(V2f) +
+         model.colours.size() * sizeof(Rgba16);
 }
 
 V3f unit_or_zero(V3d const& v) {
