@@ -132,28 +132,27 @@ std::optional<Hit> RayScene::first_hit(Ray const& ray) const {
   return Hit{query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
 }
 
-std::array<std::optional<Hit>, RayBundle::kRays> RayScene::first_hits(RayBundle const& rays) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+std::array<std::optional<Hit>, RayScene::kPacket> RayScene::first_hits(std::array<Ray, kPacket> const& rays) const {
+  SidedContext context(rays.data());
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  constexpr unsigned width = 8, packets = RayBundle::kRays / width;
-  std::array<RTCRayHit8, packets> queries;
-  for (unsigned i = 0; i < RayBundle::kRays; ++i) {
-    RTCRay8& ray = queries[i / width].ray;
-    V3f const& direction = rays.directions[i];
-    unsigned const k = i % width;
-    ray.org_x[k] = rays.origin.x, ray.org_y[k] = rays.origin.y, ray.org_z[k] = rays.origin.z;
-    ray.dir_x[k] = direction.x, ray.dir_y[k] = direction.y, ray.dir_z[k] = direction.z;
-    ray.tnear[k] = rays.near, ray.tfar[k] = rays.far;
+  if (std::any_of(rays.begin(), rays.end(), has_side)) context.filter = pass_wrong_sides;
+  std::array<RTCRayHit8, kPacket / 8> queries;
+  for (unsigned i = 0; i < kPacket; ++i) {
+    Ray const& from = rays[i];
+    RTCRay8& ray = queries[i / 8].ray;
+    unsigned const k = i % 8;
+    ray.org_x[k] = from.origin.x, ray.org_y[k] = from.origin.y, ray.org_z[k] = from.origin.z;
+    ray.dir_x[k] = from.direction.x, ray.dir_y[k] = from.direction.y, ray.dir_z[k] = from.direction.z;
+    ray.tnear[k] = from.near, ray.tfar[k] = from.far;
     ray.time[k] = 0, ray.mask[k] = 0xffffffffu, ray.id[k] = i, ray.flags[k] = 0;
-    queries[i / width].hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    queries[i / 8].hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
   }
-  rtcIntersectNM(impl_->scene, &context, reinterpret_cast<RTCRayHitN*>(queries.data()), width, packets,
+  rtcIntersectNM(impl_->scene, &context, reinterpret_cast<RTCRayHitN*>(queries.data()), 8, kPacket / 8,
                  sizeof(RTCRayHit8));
-  std::array<std::optional<Hit>, RayBundle::kRays> hits;
-  for (unsigned i = 0; i < RayBundle::kRays; ++i) {
-    RTCRayHit8 const& query = queries[i / width];
-    unsigned const k = i % width;
+  std::array<std::optional<Hit>, kPacket> hits;
+  for (unsigned i = 0; i < kPacket; ++i) {
+    RTCRayHit8 const& query = queries[i / 8];
+    unsigned const k = i % 8;
     if (query.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID)
       hits[i] = Hit{query.hit.primID[k], query.hit.u[k], query.hit.v[k], query.ray.tfar[k]};
   }

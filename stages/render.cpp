@@ -12,8 +12,8 @@ namespace vitrine {
 namespace {
 
 constexpr int kSupersample = 4, kSamples = kSupersample * kSupersample;
-constexpr int kTile = 2, kTilePixels = kTile * kTile;  ///< pixels that one bundle of rays draws
-static_assert(kTilePixels * kSamples == RayBundle::kRays);
+constexpr int kTile = 2, kTilePixels = kTile * kTile;  ///< pixels that one packet of rays draws
+static_assert(kTilePixels * kSamples == RayScene::kPacket);
 constexpr int kMostLayers = 64;  ///< transparent ones that a ray passes before it sees the background
 constexpr float kGrey = 0.5f;
 
@@ -24,12 +24,7 @@ using Texel = std::array<std::uint8_t, 4>;
 class Painter {
  public:
   Painter(SurveyedModel const& model, Camera const& camera, PictureOptions const& options)
-      : model_(model),
-        grey_(options.grey),
-        textured_(!model.model->images.empty()),
-        eye_(camera.eye - model.model->origin),
-        near_(float(camera.near)),
-        far_(float(camera.far)) {
+      : model_(model), options_(options), camera_(camera), eye_(camera.eye - model.model->origin) {
     double const side = options.size * kSupersample;
     right_ = V3f((through(camera, 2 / side, 0) - camera.forward));
     up_ = V3f((through(camera, 0, 2 / side) - camera.forward));
@@ -40,14 +35,14 @@ class Painter {
 
   /// The 2 x 2 pixels from (x, y) on, row by row.
   std::array<Texel, kTilePixels> tile(int x, int y) const {
-    RayBundle const rays = rays_of(x, y);
+    std::array<Ray, RayScene::kPacket> const rays = rays_of(x, y);
     auto const hits = model_.scene.first_hits(rays);
     std::array<Texel, kTilePixels> pixels;
     for (int p = 0; p < kTilePixels; ++p) {
       Shading const shading = shading_at(x + p % kTile, y + p / kTile);
       std::array<int, 4> sums{};
       for (std::size_t i = p * kSamples; i < (p + 1u) * kSamples; ++i) {
-        Texel const texel = hits[i] ? sample(rays.directions[i], *hits[i], shading) : Texel{255, 255, 255, 0};
+        Texel const texel = hits[i] ? sample(rays[i], *hits[i], shading) : Texel{255, 255, 255, 0};
         for (std::size_t k = 0; k < 4; ++k) sums[k] += texel[k];
       }
       for (std::size_t k = 0; k < 4; ++k) pixels[p][k] = static_cast<std::uint8_t>((sums[k] + kSamples / 2) / kSamples);
@@ -60,13 +55,13 @@ class Painter {
   V3f ray_direction(float column, float row) const { return top_left_ + right_ * column - up_ * row; }
 
   /// The 16 samples of each pixel of a tile.
-  RayBundle rays_of(int x, int y) const {
-    RayBundle rays{eye_, {}, near_, far_};
-    for (int i = 0; i < int(RayBundle::kRays); ++i) {
+  std::array<Ray, RayScene::kPacket> rays_of(int x, int y) const {
+    std::array<Ray, RayScene::kPacket> rays;
+    for (int i = 0; i < int(rays.size()); ++i) {
       int const pixel = i / kSamples, sample = i % kSamples;
-      int const column = (x + pixel % kTile) * kSupersample + sample % kSupersample;
-      int const row = (y + pixel / kTile) * kSupersample + sample / kSupersample;
-      rays.directions[i] = ray_direction(float(column), float(row));
+      float const column = float((x + pixel % kTile) * kSupersample + sample % kSupersample);
+      float const row = float((y + pixel / kTile) * kSupersample + sample / kSupersample);
+      rays[i] = {eye_, ray_direction(column, row), float(camera_.near), float(camera_.far)};
     }
     return rays;
   }
@@ -79,17 +74,17 @@ class Painter {
   }
 
   /// What the ray shows from its first hit on: front to back, on white, in the client's encoded values.
-  Texel sample(V3f const& direction, Hit hit, Shading const& shading) const {
+  Texel sample(Ray ray, Hit hit, Shading const& shading) const {
     std::array<float, 3> shown{};
     float clear = 1;
     for (int layer = 0; layer < kMostLayers; ++layer) {
-      Layer const at = look(direction, hit, shading);
+      Layer const at = look(ray, hit, shading);
       if (at.coverage >= 1 && clear == 1) return {at.bytes[0], at.bytes[1], at.bytes[2], 255};
       for (std::size_t k = 0; k < 3; ++k) shown[k] += clear * at.coverage * float(at.bytes[k]);
       clear *= 1 - at.coverage;
       if (clear <= 0) break;
-      std::optional<Hit> const behind =
-          model_.scene.first_hit({eye_, direction, std::nextafter(hit.distance, far_), far_});
+      ray.near = std::nextafter(hit.distance, ray.far);
+      std::optional<Hit> const behind = model_.scene.first_hit(ray);
       if (!behind) break;
       hit = *behind;
     }
@@ -103,14 +98,14 @@ class Painter {
     float coverage;
   };
 
-  Layer look(V3f const& direction, Hit const& hit, Shading const& shading) const {
+  Layer look(Ray const& ray, Hit const& hit, Shading const& shading) const {
     SourceModel const& source = *model_.model;
     Triangle const& face = source.mesh.triangles[hit.face];
     V3f const a = source.mesh.positions[face[0]];
     V3f const normal = (source.mesh.positions[face[1]] - a).cross(source.mesh.positions[face[2]] - a);
-    float const slope = direction.dot(normal);
-    SurfaceSample const surface = model_.surface.sample(hit, footprint(direction, hit, normal, slope));
-    V3f const base = grey_ ? V3f(kGrey) : V3f(surface.colour[0], surface.colour[1], surface.colour[2]);
+    float const slope = ray.direction.dot(normal);
+    SurfaceSample const surface = model_.surface.sample(hit, footprint(ray, hit, normal, slope));
+    V3f const base = options_.grey ? V3f(kGrey) : V3f(surface.colour[0], surface.colour[1], surface.colour[2]);
     std::size_t const material = source.face_materials.empty() ? 0 : source.face_materials[hit.face];
     V3f const light =
         source.materials[material].unlit ? base : shading(base, slope > 0 ? -surface.normal : surface.normal);
@@ -118,17 +113,17 @@ class Painter {
   }
 
   /// How far the hit moves on its face from this sample to the next one to the right, and to the one above.
-  std::array<V3f, 2> footprint(V3f const& direction, Hit const& hit, V3f const& normal, float slope) const {
-    if (!textured_) return {};
-    auto const moved = [&](V3f const& step) { return (step - direction * (step.dot(normal) / slope)) * hit.distance; };
+  std::array<V3f, 2> footprint(Ray const& ray, Hit const& hit, V3f const& normal, float slope) const {
+    auto const moved = [&](V3f const& step) {
+      return (step - ray.direction * (step.dot(normal) / slope)) * hit.distance;
+    };
     return {moved(right_), moved(up_)};
   }
 
   SurveyedModel const& model_;
-  bool grey_, textured_;
-  V3f eye_;  ///< in the model's own coordinates
-  float near_, far_;
-  V3f top_left_, right_, up_;  ///< of the picture, at depth 1; steps from sample to sample
+  PictureOptions options_;
+  Camera camera_;
+  V3f eye_, top_left_, right_, up_;  ///< in the model's own coordinates; per sample, at depth 1
   V3f to_light_;
 };
 

@@ -2,7 +2,6 @@
 #include "stages/render.h"
 
 #include "stages/clean.h"
-#include "stages/colour.h"
 #include "stages/compare.h"
 #include "stages/shade.h"
 #include "tests/support/meshes.h"
@@ -16,6 +15,8 @@
 
 namespace vitrine {
 namespace {
+
+int srgb_byte(float linear) { return srgb_bytes({linear, 0, 0})[0]; }
 
 SurveyedModel surveyed(SourceModel model) { return survey(std::make_shared<SourceModel const>(std::move(model))); }
 
@@ -56,7 +57,7 @@ TEST(Render, ALitSquareHasTheValueOfItsShading) {
   V3f const z(0, 0, 1);
   V3f const light = Shading(z, z)({0.2f, 0.5f, 0.8f}, z);
   EXPECT_THAT(middle(picture(quad({0.2f, 0.5f, 0.8f, 1}))),
-              testing::ElementsAre(to_srgb_byte(light.x), to_srgb_byte(light.y), to_srgb_byte(light.z), 255));
+              testing::ElementsAre(srgb_byte(light.x), srgb_byte(light.y), srgb_byte(light.z), 255));
 }
 
 TEST(Render, WhatIsNotCoveredIsWhite) {
@@ -79,8 +80,7 @@ TEST(Render, AHalfCoveredPixelIsTheMeanOfBytes) {
 TEST(Render, AnUnlitColourIsOnlyEncoded) {
   SourceModel model = quad({0.2f, 0.5f, 0.8f, 1});
   model.materials[0].unlit = true;
-  EXPECT_THAT(middle(picture(model)),
-              testing::ElementsAre(to_srgb_byte(0.2f), to_srgb_byte(0.5f), to_srgb_byte(0.8f), 255));
+  EXPECT_THAT(middle(picture(model)), testing::ElementsAre(srgb_byte(0.2f), srgb_byte(0.5f), srgb_byte(0.8f), 255));
 }
 
 TEST(Render, GreyTakesThePlaceOfTheColour) {
@@ -140,7 +140,7 @@ TEST(Render, ADistantTextureIsItsMean) {
   model.images.push_back({2, 2, 1, ColourSpace::srgb, {0, 255, 255, 0}});
   model.materials[0].colour_map.image = 0;
   model.materials[0].unlit = true;
-  EXPECT_NEAR(middle(picture(model))[0], to_srgb_byte(0.5f), 1);
+  EXPECT_NEAR(middle(picture(model))[0], srgb_byte(0.5f), 1);
 }
 
 TEST(Render, ThreadsDoNotChangeABit) {

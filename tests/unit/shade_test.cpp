@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace vitrine {
 namespace {
 
 V3f const kUp(0, 0, 1), kSide(1, 0, 0);
+
+int srgb_byte(float linear) { return srgb_bytes({0, linear, 0})[1]; }
 
 TEST(Shade, FacingLightAndEyeIsAmbientPlusDiffusePlusLobe) {
   double const fresnel = 0.04 + 0.96 * std::exp2(-5.55473 - 6.98316);
@@ -31,6 +34,29 @@ TEST(Shade, BlackStillShowsTheLobe) {
 TEST(Shade, ChannelsAreIndependent) {
   V3f const mixed = Shading(kUp, kUp)({0.1f, 0.5f, 0.9f}, kUp);
   EXPECT_EQ(mixed.y, Shading(kUp, kUp)(V3f(0.5f), kUp).y);
+}
+
+TEST(SrgbBytes, EveryByteComesBack) {
+  for (int b = 0; b < 256; ++b) {
+    double const s = b / 255.0;
+    double const linear = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+    EXPECT_EQ(srgb_byte(static_cast<float>(linear)), b);
+  }
+}
+
+TEST(SrgbBytes, RoundsToTheNearestEncodedValue) {
+  for (int i = 0; i <= 10000; ++i) {
+    double const x = i / 10000.0;
+    double const encoded = 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+    EXPECT_NEAR(srgb_byte(static_cast<float>(x)), encoded, 0.5001);
+  }
+}
+
+TEST(SrgbBytes, ClampsWhatIsNoColour) {
+  EXPECT_EQ(srgb_byte(-1), 0);
+  EXPECT_EQ(srgb_byte(17), 255);
+  EXPECT_EQ(srgb_byte(std::numeric_limits<float>::infinity()), 255);
+  EXPECT_EQ(srgb_byte(std::numeric_limits<float>::quiet_NaN()), 0);
 }
 
 }  // namespace
