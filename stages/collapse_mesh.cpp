@@ -118,6 +118,7 @@ bool CollapseMesh::keeps_shape(Index a, Index b, V3f const& target, double least
 void CollapseMesh::remove(Index f) {
   faces_[f].corners[0] = kNone;
   --alive_;
+  if (removed_) removed_->push_back(f);
 }
 
 void CollapseMesh::collapse(Index a, Index b, V3f const& target) {
@@ -166,19 +167,32 @@ double CollapseMesh::twice_area_around(Index a, Index b) {
   return sum;
 }
 
+std::vector<CollapseMesh::Index> CollapseMesh::alive_faces() const {
+  std::vector<Index> alive;
+  alive.reserve(alive_);
+  for (Index f = 0; f < faces_.size(); ++f)
+    if (is_alive(f)) alive.push_back(f);
+  return alive;
+}
+
+std::vector<CollapseMesh::Index> CollapseMesh::used_vertices() const {
+  std::vector<bool> used(vertices(), false);
+  for (Index f : alive_faces())
+    for (Index v : face(f)) used[v] = true;
+  std::vector<Index> in_use;
+  for (Index v = 0; v < vertices(); ++v)
+    if (used[v]) in_use.push_back(v);
+  return in_use;
+}
+
 TriMesh CollapseMesh::extract() const {
   TriMesh mesh;
   std::vector<Index> renamed(vertices(), kNone);
-  for (Index f = 0; f < faces_.size(); ++f)
-    if (is_alive(f))
-      for (Index v : face(f)) renamed[v] = 0;
-  for (Index v = 0; v < vertices(); ++v) {
-    if (renamed[v] == kNone) continue;
+  for (Index v : used_vertices()) {
     renamed[v] = static_cast<Index>(mesh.positions.size());
     mesh.positions.push_back(vertices_[v].position);
   }
-  for (Index f = 0; f < faces_.size(); ++f)
-    if (is_alive(f)) mesh.triangles.push_back({renamed[face(f)[0]], renamed[face(f)[1]], renamed[face(f)[2]]});
+  for (Index f : alive_faces()) mesh.triangles.push_back({renamed[face(f)[0]], renamed[face(f)[1]], renamed[face(f)[2]]});
   return mesh;
 }
 

@@ -12,6 +12,7 @@ namespace vitrine {
 class CollapseMesh {
  public:
   using Index = std::uint32_t;
+  static constexpr Index kNone = ~Index{0};
 
   explicit CollapseMesh(TriMesh const& mesh);
 
@@ -73,14 +74,18 @@ class CollapseMesh {
   void remove_duplicates(Index v);
 
   void remove_around(Index v);
+
+  /// From now on each face that goes is added to `faces`.
+  void note_removed(std::vector<Index>* faces) { removed_ = faces; }
+
   double twice_area_around(Index a, Index b);
 
-  /// Faces in their old order; vertices that are in use.
+  /// The mesh as it is now: faces in their old order; vertices that are in use.
   TriMesh extract() const;
+  std::vector<Index> alive_faces() const;    ///< in order; extract() numbers them so
+  std::vector<Index> used_vertices() const;  ///< likewise
 
  private:
-  static constexpr Index kNone = ~Index{0};
-
   struct Vertex {
     V3f position;
     Index first;        ///< corner (3 f + k) that begins the list of its corners, kNone at the end
@@ -101,6 +106,7 @@ class CollapseMesh {
   std::vector<Vertex> vertices_;
   std::vector<Face> faces_;
   std::vector<Neighbour> neighbours_;
+  std::vector<Index>* removed_ = nullptr;
   std::size_t alive_ = 0;
   V3d centre_{0, 0, 0};
   double scale_ = 1, diagonal_ = 0;

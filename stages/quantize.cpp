@@ -16,27 +16,6 @@ namespace {
 using Imath::V3i;
 using V3l = Imath::Vec3<std::int64_t>;
 
-/// One coordinate's codes 0 ... 2^bits - 1 over [origin, origin + range]. Draco computes in float, so do we.
-struct Scale {
-  float origin, range;
-  int codes;
-
-  Scale(float from, float length, int bits) : origin(from), range(length), codes((1 << bits) - 1) {}
-  int code(float value) const {
-    float const inverse_step = float(codes) / range;
-    return std::clamp(int(std::floor((value - origin) * inverse_step + 0.5f)), 0, codes);
-  }
-  float value(int code) const { return float(code) * (range / float(codes)) + origin; }
-};
-
-Grid cube_about(TriMesh const& mesh, QuantizeOptions const& options) {
-  Box3f const box = bounds(mesh);
-  V3f const size = box.size();
-  float const range = std::max({size.x, size.y, size.z});
-  if (!(range > 0)) throw Error(ErrorKind::no_solution, "the mesh has no extent", "check the model in a viewer");
-  return {box.min, range, options.position_bits, options.uv_bits, options.normal_bits};
-}
-
 /// Exact, as the codes are integers.
 bool has_area(V3i const& a, V3i const& b, V3i const& c) { return V3l(b - a).cross(V3l(c - a)) != V3l(0); }
 
@@ -51,35 +30,49 @@ std::vector<std::uint32_t> first_at_place(std::vector<V3i> const& codes) {
   return first;
 }
 
-/// Keeps the faces that still have an area, joins vertices that met and numbers them by first use.
-void rebuild(Atlas& atlas, std::vector<V3i> const& codes) {
+/// Keeps the faces that still have an area, joins vertices that met and numbers them by first use. Returns the kept.
+std::vector<std::size_t> rebuild(TriMesh& mesh, std::vector<V3i> const& codes) {
   constexpr std::uint32_t kUnused = 0xffffffffu;
   std::vector<std::uint32_t> const place = first_at_place(codes);
   std::vector<std::uint32_t> number(codes.size(), kUnused);
   std::vector<V3f> positions;
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < atlas.mesh.triangles.size(); ++f) {
-    Triangle face = atlas.mesh.triangles[f];
+  std::vector<std::size_t> kept;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    Triangle face = mesh.triangles[f];
     if (!has_area(codes[face[0]], codes[face[1]], codes[face[2]])) continue;
     for (std::uint32_t& corner : face) {
       std::uint32_t const vertex = place[corner];
       if (number[vertex] == kUnused) {
         number[vertex] = std::uint32_t(positions.size());
-        positions.push_back(atlas.mesh.positions[vertex]);
+        positions.push_back(mesh.positions[vertex]);
       }
       corner = number[vertex];
     }
-    atlas.mesh.triangles[kept] = face;
-    atlas.face_charts[kept] = atlas.face_charts[f];
-    atlas.corner_uvs[kept] = atlas.corner_uvs[f];
-    ++kept;
+    mesh.triangles[kept.size()] = face;
+    kept.push_back(f);
   }
-  if (kept == 0)
+  if (kept.empty())
     throw Error(ErrorKind::no_solution, "no face is as large as a step of the grid", "use more --position-bits");
-  atlas.mesh.triangles.resize(kept);
-  atlas.face_charts.resize(kept);
-  atlas.corner_uvs.resize(kept);
-  atlas.mesh.positions = std::move(positions);
+  mesh.triangles.resize(kept.size());
+  mesh.positions = std::move(positions);
+  return kept;
+}
+
+std::vector<V3i> snap(TriMesh& mesh, GridCodes const& grid) {
+  std::vector<V3i> codes;
+  codes.reserve(mesh.positions.size());
+  for (V3f& position : mesh.positions) {
+    codes.push_back(grid.code(position));
+    position = grid.value(codes.back());
+  }
+  return codes;
+}
+
+/// The entries of the faces that are kept.
+template <class T>
+void keep(std::vector<T>& values, std::vector<std::size_t> const& kept) {
+  for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+  values.resize(kept.size());
 }
 
 /// Snapping moves each of two charts by up to half a step: together they must not cross the gutter.
@@ -106,23 +99,33 @@ V3f decode_octahedral(int s, int t, int centre) {
 
 }  // namespace
 
+Grid cube_about(TriMesh const& mesh, int position_bits) {
+  Box3f const box = bounds(mesh);
+  V3f const size = box.size();
+  Grid grid;
+  grid.origin = box.min;
+  grid.range = std::max({size.x, size.y, size.z});
+  grid.position_bits = position_bits;
+  if (!(grid.range > 0)) throw Error(ErrorKind::no_solution, "the mesh has no extent", "check the model in a viewer");
+  return grid;
+}
+
+QuantizedMesh quantize(TriMesh mesh, Grid const& grid) {
+  rebuild(mesh, snap(mesh, GridCodes(grid)));
+  return {std::move(mesh), grid};
+}
+
 QuantizedAtlas quantize(Atlas atlas, QuantizeOptions const& options) {
   require_fine_uvs(atlas, options.uv_bits);
-  Grid const grid = cube_about(atlas.mesh, options);
-  std::array<Scale, 3> const axes{Scale{grid.origin.x, grid.range, grid.position_bits},
-                                  Scale{grid.origin.y, grid.range, grid.position_bits},
-                                  Scale{grid.origin.z, grid.range, grid.position_bits}};
-  std::vector<V3i> codes(atlas.mesh.positions.size());
-  for (std::size_t v = 0; v < codes.size(); ++v)
-    for (int k = 0; k < 3; ++k) {
-      float& coordinate = atlas.mesh.positions[v][k];
-      codes[v][k] = axes[k].code(coordinate);
-      coordinate = axes[k].value(codes[v][k]);
-    }
-  Scale const unit{0, 1, grid.uv_bits};
+  Grid grid = cube_about(atlas.mesh, options.position_bits);
+  grid.uv_bits = options.uv_bits;
+  grid.normal_bits = options.normal_bits;
+  AxisCodes const unit(0, 1, grid.uv_bits);
   for (CornerUvs& corners : atlas.corner_uvs)
     for (V2f& uv : corners) uv = {unit.value(unit.code(uv.x)), unit.value(unit.code(uv.y))};
-  rebuild(atlas, codes);
+  std::vector<std::size_t> const kept = rebuild(atlas.mesh, snap(atlas.mesh, GridCodes(grid)));
+  keep(atlas.face_charts, kept);
+  keep(atlas.corner_uvs, kept);
   return {std::move(atlas), grid};
 }
 

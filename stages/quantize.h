@@ -5,6 +5,10 @@
 #include "stages/data.h"
 #include "stages/options.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace vitrine {
 
 struct QuantizeOptions {
@@ -19,6 +23,53 @@ struct QuantizeOptions {
     visit(self.normal_bits, Field{"normal-bits", "bits", "of each stored normal's two octahedral coordinates", 4, 14});
   }
 };
+
+/// One coordinate's codes 0 ... last() over [origin, origin + range]. Draco computes in float, so do we.
+class AxisCodes {
+ public:
+  AxisCodes(float origin, float range, int bits) : origin_(origin), range_(range), last_((1 << bits) - 1) {}
+
+  int code(float value) const {  ///< the nearest
+    float const inverse_step = float(last_) / range_;
+    return std::clamp(int(std::floor((value - origin_) * inverse_step + 0.5f)), 0, last_);
+  }
+  float value(int code) const { return float(code) * (range_ / float(last_)) + origin_; }
+  int last() const { return last_; }
+
+ private:
+  float origin_, range_;
+  int last_;
+};
+
+/// The places of a grid for positions.
+class GridCodes {
+ public:
+  explicit GridCodes(Grid const& grid)
+      : axes_{AxisCodes(grid.origin.x, grid.range, grid.position_bits),
+              AxisCodes(grid.origin.y, grid.range, grid.position_bits),
+              AxisCodes(grid.origin.z, grid.range, grid.position_bits)} {}
+
+  Imath::V3i code(V3f const& p) const { return {axes_[0].code(p.x), axes_[1].code(p.y), axes_[2].code(p.z)}; }
+  V3f value(Imath::V3i const& c) const { return {axes_[0].value(c.x), axes_[1].value(c.y), axes_[2].value(c.z)}; }
+  int last() const { return axes_[0].last(); }  ///< the largest code
+
+ private:
+  std::array<AxisCodes, 3> axes_;
+};
+
+/// The grid of the smallest axis-aligned cube about the mesh that begins at its bounding box's corner. No uv or normal bits.
+/// Errors: NoSolution when the mesh is but a point.
+Grid cube_about(TriMesh const& mesh, int position_bits);
+
+/// The same mesh on its grid, for meshes without an atlas.
+struct QuantizedMesh {
+  TriMesh mesh;
+  Grid grid;
+};
+
+/// Snaps positions to the grid, see below. Vertices that meet are one, in the order of their first use.
+/// Errors: NoSolution when no face is left.
+QuantizedMesh quantize(TriMesh mesh, Grid const& grid);
 
 /// Snaps positions and texture coordinates to the values that Draco's explicit quantisation decodes to, bit for bit:
 /// origin + i * (range / (2^bits - 1)) in float arithmetic, i the nearest integer.

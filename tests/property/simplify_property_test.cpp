@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What both decimators promise for any mesh, and where ours must be the better one.
 #include "stages/clean.h"
+#include "stages/progression.h"
 #include "stages/ray_scene.h"
 #include "stages/simplify.h"
 #include "tests/support/meshes.h"
@@ -204,6 +205,40 @@ TEST(SimplifyOptimalProperty, IsAFifthNearerThanOpenmesh) {
     double const theirs = mean_distance(mesh, simplify(mesh, to_triangles(300, Decimator::openmesh)).mesh);
     EXPECT_LT(ours, 0.8 * theirs) << "seed " << seed;
   }
+}
+
+/// Each level against a simplification of its own.
+void expect_same_levels(TriMesh const& mesh, std::initializer_list<int> counts, double max_error = 1) {
+  SimplifyOptions options;
+  options.max_error = max_error;
+  Progression const progression(mesh, options);
+  for (int count : counts) {
+    SCOPED_TRACE(count);
+    options.triangles = count;
+    SimplifiedMesh const direct = simplify(mesh, options), level = progression.at(std::size_t(count));
+    EXPECT_EQ(level.mesh.triangles, direct.mesh.triangles);
+    EXPECT_EQ(level.mesh.positions, direct.mesh.positions);
+    EXPECT_EQ(level.error, direct.error);
+    EXPECT_EQ(level.stop, direct.stop);
+  }
+}
+
+TEST(ProgressionProperty, GivesWhatASimplificationToThatManyGives) {
+  for (auto const& [name, mesh] : meshes()) {
+    SCOPED_TRACE(name);
+    expect_same_levels(mesh, {4, 5, 40, 99, 250, 1000, 100'000});
+  }
+}
+
+TEST(ProgressionProperty, GivesTheSameFromALargeMesh) {
+  TriMesh const mesh = test::bumpy_sphere(300, 200);
+  ASSERT_GT(mesh.triangles.size(), Progression::kFinest);
+  expect_same_levels(mesh, {4, 1000, 20'001, int(Progression::kFinest)});
+  EXPECT_EQ(Progression(mesh, {}).at(1'000'000).mesh.triangles.size(), Progression::kFinest);
+}
+
+TEST(ProgressionProperty, EndsWhereTheErrorLimitEndsIt) {
+  expect_same_levels(test::bumpy_sphere(36, 24), {4, 300, 1200}, 0.002);
 }
 
 TEST(SimplifyChecks, CanFail) {

@@ -124,6 +124,16 @@ TEST(Quantize, FacesThatLoseTheirAreaGoWithTheirCorners) {
   EXPECT_NEAR(q.atlas.corner_uvs[5][0].x, atlas.corner_uvs[6][0].x, 1.0 / 2047);
 }
 
+TEST(Quantize, AMeshWithoutAnAtlasComesToTheSamePlaces) {
+  TriMesh const mesh = test::bumpy_sphere(32, 16);
+  QuantizedMesh const plain = quantize(mesh, cube_about(mesh, 6));
+  QuantizedAtlas const atlas = quantize(atlas_of(mesh), {6, 11, 8});
+  EXPECT_EQ(plain.mesh.positions, atlas.atlas.mesh.positions);
+  EXPECT_EQ(plain.mesh.triangles, atlas.atlas.mesh.triangles);
+  EXPECT_EQ(plain.grid.range, atlas.grid.range);
+  EXPECT_LT(plain.mesh.positions.size(), mesh.positions.size()) << "nothing met";
+}
+
 TEST(Quantize, VerticesThatMeetBecomeOne) {
   TriMesh const mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1e-4f, 0}, {1, 1, 0}, {1e-4f, 1, 0}},
                      {{0, 1, 2}, {3, 4, 5}}};

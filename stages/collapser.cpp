@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/collapser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+
+std::optional<std::pair<Candidate, std::size_t>> BucketQueue::pop() {
+  for (; lowest_ < buckets_.size(); ++lowest_) {
+    std::vector<Candidate>& bucket = buckets_[lowest_];
+    if (bucket.empty()) {
+      std::vector<Candidate>().swap(bucket);
+      continue;
+    }
+    Candidate const candidate = bucket.back();
+    bucket.pop_back();
+    return std::pair(candidate, lowest_);
+  }
+  return std::nullopt;
+}
+
+/// What a collapse may do to the surface.
+struct Collapser::Rules {
+  bool keep_topology;
+  double least_cosine, least_roundness;  ///< see CollapseMesh::keeps_shape
+
+  static constexpr Rules strict() { return {true, 0.2, 0.02}; }
+  static constexpr Rules relaxed() { return {false, 0.01, 1e-5}; }
+};
+
+namespace {
+
+// Between 1e-7 and 1e-5 these constants change the mean distance on scans by 2 % at most; above, they cost detail.
+constexpr double kStiffness = 1e-6;   // see Quadric::minimiser
+constexpr double kLengthCost = 1e-5;  // short edges first where the surface is flat
+
+}  // namespace
+
+Collapser::Collapser(TriMesh const& mesh, double max_error)
+    : mesh_(mesh),
+      quadrics_(mesh_.vertices()),
+      versions_(mesh_.vertices(), 0),
+      max_distance_(max_error * mesh_.diagonal()) {
+  for (Index f = 0; f < mesh_.faces(); ++f) add_face_plane(f);
+  for (Index v = 0; v < mesh_.vertices(); ++v) add_edge_planes(v);
+  push_all();
+}
+
+void Collapser::reduce_to(std::size_t target) {
+  while (mesh_.faces() > target && !done_) {
+    auto const cheapest = queue_.pop();
+    if (!cheapest) {
+      done_ = !next_pass();
+      continue;
+    }
+    auto const& [candidate, bucket] = *cheapest;
+    if (candidate.version == version(candidate.a, candidate.b)) try_collapse(candidate, bucket);
+  }
+}
+
+void Collapser::record(std::vector<CollapseStep>* steps, std::vector<std::pair<Index, Index>>* went) {
+  steps_ = steps;
+  went_ = went;
+  mesh_.note_removed(&removed_);
+}
+
+StopReason Collapser::stop(std::size_t target) const {
+  if (mesh_.faces() <= target) return StopReason::target_reached;
+  return limited_ ? StopReason::error_limit : StopReason::nothing_left;
+}
+
+void Collapser::push_all() {
+  faces_before_ = mesh_.faces();
+  for (Index v = 0; v < mesh_.vertices(); ++v)
+    for (CollapseMesh::Neighbour const& n : mesh_.neighbours(v))
+      if (n.vertex > v) push(v, n.vertex);
+}
+
+/// What was refused may have become possible: again, while that takes away one face in a hundred; then once more by
+/// looser rules.
+bool Collapser::next_pass() {
+  bool const fruitful = mesh_.faces() < faces_before_ - faces_before_ / 100;
+  if (!fruitful && relaxed_) return false;
+  relaxed_ = relaxed_ || !fruitful;
+  push_all();
+  return true;
+}
+
+void Collapser::add_face_plane(Index f) {
+  auto const& [a, b, c] = mesh_.face(f);
+  V3d const p = mesh_.position(a), area = (mesh_.position(b) - p).cross(mesh_.position(c) - p);
+  double const length = area.length();
+  if (!(length > 0)) return;
+  Quadric const plane = Quadric::plane(area / length, p, length / 2);
+  for (Index v : {a, b, c}) quadrics_[v] += plane;
+}
+
+/// Planes through boundaries and non-manifold edges, perpendicular to the faces there: they hold the edges in place.
+void Collapser::add_edge_planes(Index v) {
+  for (CollapseMesh::Neighbour const& n : mesh_.neighbours(v)) {
+    if (n.faces == 2 || n.vertex < v) continue;
+    V3d const p = mesh_.position(v), edge = mesh_.position(n.vertex) - p;
+    mesh_.for_faces(v, [&](Index f) {
+      auto const& [a, b, c] = mesh_.face(f);
+      if (a != n.vertex && b != n.vertex && c != n.vertex) return;
+      V3d const normal = (mesh_.position(b) - mesh_.position(a)).cross(mesh_.position(c) - mesh_.position(a));
+      V3d const across = edge.cross(normal);
+      double const length = across.length();
+      if (!(length > 0)) return;
+      Quadric const plane = Quadric::plane(across / length, p, edge.length2());
+      quadrics_[v] += plane;
+      quadrics_[n.vertex] += plane;
+    });
+  }
+}
+
+Collapser::Placement Collapser::place(Index a, Index b) const {
+  Quadric const quadric = quadrics_[a] + quadrics_[b];
+  V3d const p = mesh_.position(a), q = mesh_.position(b), middle = (p + q) / 2;
+  double const length2 = (q - p).length2();
+  V3d at = quadric.minimiser(middle, kStiffness);
+  if (!((at - middle).length2() <= length2))
+    at = std::min({middle, p, q}, [&](V3d const& x, V3d const& y) { return quadric(x) < quadric(y); });
+  double const sum = quadric(at), weight = quadric.weight();
+  return {at, sum + kLengthCost * weight * length2, weight > 0 ? std::sqrt(sum / weight) : 0};
+}
+
+/// A refused candidate comes back when costs are 16 times as high: by then its surroundings may have changed.
+void Collapser::postpone(Candidate const& candidate, std::size_t bucket) {
+  bucket = std::max(bucket, BucketQueue::bucket(1e-18)) + 4 * BucketQueue::kOctave;
+  if (bucket < BucketQueue::bucket(16)) queue_.push(bucket, candidate);
+}
+
+void Collapser::try_collapse(Candidate const& candidate, std::size_t bucket) {
+  Rules const rules = relaxed_ ? Rules::relaxed() : Rules::strict();
+  auto const [a, b, stamp] = candidate;
+  Placement const placement = place(a, b);
+  if (placement.distance > max_distance_) {
+    limited_ = true;
+    return;
+  }
+  CollapseMesh::Junction const junction = mesh_.junction(a, b);
+  if (junction.going == 0 || junction.going >= mesh_.faces()) return;
+  if (rules.keep_topology && !junction.keeps_topology) return postpone(candidate, bucket);
+  if (junction.vanishes) return try_vanish(candidate, bucket, placement);
+  V3f const target = mesh_.to_model(placement.at);
+  if (!mesh_.keeps_shape(a, b, target, rules.least_cosine, rules.least_roundness)) return postpone(candidate, bucket);
+  mesh_.collapse(a, b, target);
+  if (junction.closes) mesh_.remove_duplicates(a);
+  largest_distance_ = std::max(largest_distance_, placement.distance);
+  quadrics_[a] += quadrics_[b];
+  ++versions_[a], ++versions_[b];
+  note(a, b, target);
+  for (CollapseMesh::Neighbour const& n : mesh_.neighbours(a)) push(a, n.vertex);
+}
+
+/// A part that vanishes is as wrong as if it had moved by its own size.
+void Collapser::try_vanish(Candidate const& candidate, std::size_t bucket, Placement const& placement) {
+  double const size = std::min(std::sqrt(mesh_.twice_area_around(candidate.a, candidate.b)), mesh_.diagonal());
+  if (size > max_distance_) {
+    limited_ = true;
+    return;
+  }
+  std::size_t const dearer = BucketQueue::bucket(placement.cost + size * size * size * size);
+  if (dearer > bucket) return queue_.push(dearer, candidate);
+  largest_distance_ = std::max(largest_distance_, size);
+  mesh_.remove_around(candidate.a);
+  mesh_.remove_around(candidate.b);
+  note(candidate.a, candidate.a, V3f(0));
+}
+
+void Collapser::note(Index into, Index from, V3f const& place) {
+  if (!steps_) return;
+  for (Index f : removed_) went_->emplace_back(f, Index(steps_->size()));
+  removed_.clear();
+  steps_->push_back({into, from, place, error(), Index(mesh_.faces())});
+}
+
+}  // namespace vitrine
