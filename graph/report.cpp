@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/report.h"
 
+#include "io/csv.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -80,14 +82,6 @@ json stages_json(std::vector<ModelRow> const& rows) {
   return out;
 }
 
-std::string cell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) text.insert(0, "'");
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 std::string describe(ModelRow const& failed) {
@@ -137,7 +131,7 @@ std::string report_csv(std::vector<ModelRow> const& rows) {
                                             std::to_string(row.input_bytes),
                                             std::to_string(total_seconds(row)),
                                             notes};
-    for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? "," : "") + cell(cells[i]);
+    for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? "," : "") + io::csv_cell(cells[i]);
     out += "\r\n";
   }
   return out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Comma-separated values. Internal to io.
+/// Comma-separated values.
 
 #include <cstdint>
 #include <string>
@@ -18,5 +18,8 @@ struct CsvRow {
 /// order mark is skipped. Source: RFC 4180. Errors: InvalidInput, with the line, for a quote that is not closed or
 /// closed early.
 std::vector<CsvRow> parse_csv(std::string_view text);
+
+/// A cell as it stands in a file: quoted where needed; an apostrophe before what a spreadsheet would take for a formula.
+std::string csv_cell(std::string text);
 
 }  // namespace vitrine::io
