@@ -97,10 +97,11 @@ Material GltfMaterials::read(GltfJson const& description, std::uint64_t& uv_set)
   return material;
 }
 
-/// WebP where the file offers it, else what it offers everybody.
+/// AVIF or WebP where the file offers it, else what it offers everybody.
 std::optional<std::uint64_t> GltfMaterials::image_of(GltfJson const& texture) const {
-  GltfJson const* const webp = extension(texture, "EXT_texture_webp");
-  return whole(webp ? *webp : texture, "source");
+  for (char const* name : {"EXT_texture_avif", "EXT_texture_webp"})
+    if (GltfJson const* const better = extension(texture, name)) return whole(*better, "source");
+  return whole(texture, "source");
 }
 
 TextureUse GltfMaterials::use(GltfJson const& info, ColourSpace space) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/image_codec.h"
 
+#include "io/avif_codec.h"
+#include "io/jpeg_encoder.h"
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <webp/decode.h>
@@ -39,13 +42,14 @@ bool is_targa(Bytes bytes) {
          (depth == 8 || depth == 15 || depth == 16 || depth == 24 || depth == 32);
 }
 
-/// The name of OpenImageIO's reader, or "webp". Formats that it reads from files only, or by way of much code that has
+/// The name of OpenImageIO's reader, "webp" or "avif". Formats that it reads from files only, or by way of much code that has
 /// seen little hostile input, are left out.
 std::string sniff(Bytes bytes) {
   using namespace std::string_view_literals;
   if (starts(bytes, "\xFF\xD8\xFF")) return "jpeg";
   if (starts(bytes, "\x89PNG\r\n\x1A\n")) return "png";
   if (starts(bytes, "RIFF") && starts(bytes, "WEBP", 8)) return "webp";
+  if (is_avif(bytes)) return "avif";
   if (starts(bytes, "GIF8")) return "gif";
   if (starts(bytes, "II*\0"sv) || starts(bytes, "MM\0*"sv) || starts(bytes, "II+\0"sv) || starts(bytes, "MM\0+"sv))
     return "tiff";
@@ -54,7 +58,8 @@ std::string sniff(Bytes bytes) {
   if (starts(bytes, "version https://git-lfs"))
     throw Error(ErrorKind::invalid_input, "the image is a Git-LFS pointer, not the image itself",
                 "run `git lfs pull` in the archive");
-  for (auto const& [magic, at, name] : {std::tuple{"ftyp"sv, 4, "AVIF or HEIF"},
+  for (auto const& [magic, at, name] : {std::tuple{"ftyphe"sv, 4, "HEIF"},
+                                        {"ftypmif1"sv, 4, "HEIF"},
                                         {"\xABKTX"sv, 0, "KTX"},
                                         {"DDS "sv, 0, "DDS"},
                                         {"\x76\x2F\x31\x01"sv, 0, "OpenEXR"},
@@ -190,12 +195,13 @@ Image colour_channels(Image const& image) {
   return out;
 }
 
-std::vector<std::byte> encode_webp(Image const& image, int quality) {
+std::vector<std::byte> encode_webp(Image const& image, ImageQuality const& quality) {
+  bool const thorough = quality.effort == Effort::thorough;
   WebPConfig config;
-  require(WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, static_cast<float>(quality)),
+  require(WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, static_cast<float>(quality.quality)),
           "libwebp refuses its own preset");
-  config.method = 6;
-  config.use_sharp_yuv = 1;
+  config.method = thorough ? 6 : 4;
+  config.use_sharp_yuv = thorough;
   config.exact = 0;
   config.thread_level = 0;
   WebPPicture picture;
@@ -219,7 +225,7 @@ std::vector<std::byte> encode_webp(Image const& image, int quality) {
   return {begin, begin + writer.size};
 }
 
-// ---- JPEG and PNG ---------------------------------------------------------------------------------------------------
+// ---- PNG ------------------------------------------------------------------------------------------------------------
 
 std::vector<std::byte> write(Image const& image, std::string const& format, OIIO::ParamValueList const& settings) {
   use_one_thread();
@@ -237,15 +243,6 @@ std::vector<std::byte> write(Image const& image, std::string const& format, OIIO
   require(written, "OpenImageIO cannot write " + format + ": " + output->geterror());
   auto const* begin = reinterpret_cast<std::byte const*>(buffer.data());
   return {begin, begin + buffer.size()};
-}
-
-/// Progressive: a fifth smaller than OpenImageIO's baseline files, whose Huffman tables are not optimised.
-std::vector<std::byte> encode_jpeg(Image const& image, int quality, bool full_chroma) {
-  OIIO::ParamValueList settings;
-  settings["Compression"] = "jpeg:" + std::to_string(quality);
-  settings["jpeg:subsampling"] = full_chroma ? "4:4:4" : "4:2:0";
-  settings["jpeg:progressive"] = 1;
-  return write(image, "jpeg", settings);
 }
 
 /// The smallest over libpng's row filters: none, up, average, Paeth, and all by its heuristic. None is best everywhere.
@@ -266,6 +263,7 @@ std::vector<std::byte> encode_png(Image const& image) {
 ImageSize image_size(std::span<std::byte const> bytes) {
   std::string const format = sniff(bytes);
   if (format == "webp") return webp_size(bytes);
+  if (format == "avif") return avif_size(bytes);
   auto const reader = open(bytes, format, {});
   OIIO::ImageSpec const& spec = reader->input->spec();
   return {spec.width, spec.height, kept_channels(spec)};
@@ -273,6 +271,7 @@ ImageSize image_size(std::span<std::byte const> bytes) {
 
 Image decode_image(std::span<std::byte const> bytes, ColourSpace space, ReadLimits const& limits) {
   std::string const format = sniff(bytes);
+  if (format == "avif") return decode_avif(bytes, space, limits);
   auto const image_of = [&](ImageSize size) {
     auto const texels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
                         static_cast<std::size_t>(size.channels);
@@ -300,10 +299,11 @@ EncodedImage encode_image(Image const& image, ImageQuality const& quality) {
               image.texels.size() == texels,
           "image whose arrays do not fit its size");
   bool const alpha = image.channels % 2 == 0;
-  int const of_100 = std::clamp(quality.quality, 1, 100);
-  if (quality.codec == ImageCodec::webp) return {"image/webp", encode_webp(image, of_100)};
-  if (quality.codec == ImageCodec::jpeg && !alpha)
-    return {"image/jpeg", encode_jpeg(image, of_100, quality.full_chroma)};
+  ImageQuality within = quality;
+  within.quality = std::clamp(quality.quality, 1, 100);
+  if (quality.codec == ImageCodec::webp) return {"image/webp", encode_webp(image, within)};
+  if (quality.codec == ImageCodec::avif) return {"image/avif", encode_avif(image, within)};
+  if (quality.codec == ImageCodec::jpeg && !alpha) return {"image/jpeg", encode_jpeg(image, within)};
   return {"image/png", encode_png(image)};
 }
 

@@ -39,7 +39,7 @@ std::optional<EncodedImage> full_chroma_within(std::size_t budget, Image const& 
 
 EncodedImage encode_map(Image const& map, ImageQuality const& quality) {
   EncodedImage coded = encode_image(map, quality);
-  if (map.channels != 3 || quality.codec == ImageCodec::png) return coded;
+  if (map.channels != 3 || quality.codec == ImageCodec::png || quality.codec == ImageCodec::avif) return coded;
   double const reached = error(map, coded);
   if (halved_chroma_error(map) < reached / 3) return coded;
   std::optional<EncodedImage> rival = full_chroma_within(coded.bytes.size(), map);

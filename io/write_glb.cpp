@@ -31,9 +31,10 @@ Json write_map(GltfDocument& document, Image const& image, ImageQuality const& q
   std::size_t const source =
       add(document.json, "images", {{"bufferView", document.add_view(coded.bytes)}, {"mimeType", coded.mime}});
   Json texture = {{"source", source}};
-  if (coded.mime == "image/webp") {
-    document.use_extension("EXT_texture_webp", Need::required);
-    texture = {{"extensions", {{"EXT_texture_webp", std::move(texture)}}}};
+  if (coded.mime == "image/webp" || coded.mime == "image/avif") {
+    std::string const extension = "EXT_texture_" + std::string(coded.mime.substr(coded.mime.find('/') + 1));
+    document.use_extension(extension, Need::required);
+    texture = {{"extensions", {{extension, std::move(texture)}}}};
   }
   return {{"index", add(document.json, "textures", std::move(texture))}};
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace vitrine;
@@ -95,7 +96,9 @@ INSTANTIATE_TEST_SUITE_P(ImageCodec, EveryCodec,
                          testing::Values(Codec{ImageCodec::jpeg, 1, 6}, Codec{ImageCodec::jpeg, 3, 8},
                                          Codec{ImageCodec::png, 1, 0}, Codec{ImageCodec::png, 2, 0},
                                          Codec{ImageCodec::png, 3, 0}, Codec{ImageCodec::png, 4, 0},
-                                         Codec{ImageCodec::webp, 3, 12}, Codec{ImageCodec::webp, 4, 12}));
+                                         Codec{ImageCodec::webp, 3, 12}, Codec{ImageCodec::webp, 4, 12},
+                                         Codec{ImageCodec::avif, 1, 6}, Codec{ImageCodec::avif, 2, 6},
+                                         Codec{ImageCodec::avif, 3, 8}, Codec{ImageCodec::avif, 4, 8}));
 
 TEST(ImageCodec, AlphaIsNeverWrittenAsJpeg) {
   EXPECT_EQ(encode_image(waves(8, 8, 4), {ImageCodec::jpeg, 90}).mime, "image/png");
@@ -138,17 +141,87 @@ TEST(ImageCodec, DoesNotBelieveASizeThatTheBytesCannotHold) {
 }
 
 TEST(ImageCodec, NamesFormatsThatAreNotRead) {
-  std::vector<std::byte> const avif =
+  std::vector<std::byte> const heic =
       bytes_of(std::string_view("\0\0\0\x20"
-                                "ftypavif\0\0\0\0",
+                                "ftypheic\0\0\0\0",
                                 16));
-  EXPECT_EQ(kind_of_failure(avif), ErrorKind::unsupported);
+  EXPECT_EQ(kind_of_failure(heic), ErrorKind::unsupported);
   try {
-    image_size(avif);
+    image_size(heic);
     FAIL();
   } catch (Error const& error) {
-    EXPECT_THAT(error.what(), HasSubstr("AVIF"));
+    EXPECT_THAT(error.what(), HasSubstr("HEIF"));
   }
+}
+
+double mean_square(Image const& a, Image const& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.texels.size(); ++i) sum += std::pow(double(a.texels[i]) - double(b.texels[i]), 2);
+  return sum / double(a.texels.size());
+}
+
+/// Hard edges between colours of one brightness: what halved chroma cannot hold.
+Image stripes() {
+  Image image{64, 64, 3, ColourSpace::linear, {}};
+  for (int i = 0; i < 64 * 64; ++i)
+    for (int value : i % 2 == 0 ? std::array{200, 90, 120} : std::array{90, 148, 120})
+      image.texels.push_back(static_cast<std::uint8_t>(value));
+  return image;
+}
+
+TEST(ImageCodec, FullChromaKeepsWhatHalvedChromaBlurs) {
+  Image const image = stripes();
+  for (ImageCodec codec : {ImageCodec::jpeg, ImageCodec::avif}) {
+    auto const error = [&](bool full) {
+      return mean_square(image, decode_image(encode_image(image, {codec, 90, full}).bytes, ColourSpace::linear));
+    };
+    EXPECT_LT(error(true), error(false) / 4);
+  }
+}
+
+TEST(ImageCodec, MoreQualityIsMoreBytesAndLessError) {
+  Image const image = waves(67, 45, 3);
+  for (ImageCodec codec : {ImageCodec::jpeg, ImageCodec::webp, ImageCodec::avif}) {
+    EncodedImage const coarse = encode_image(image, {codec, 20, true}), fine = encode_image(image, {codec, 90, true});
+    EXPECT_LT(coarse.bytes.size(), fine.bytes.size());
+    EXPECT_GT(mean_square(image, decode_image(coarse.bytes, image.space)),
+              mean_square(image, decode_image(fine.bytes, image.space)));
+  }
+}
+
+TEST(ImageCodec, TheUsualEffortGivesTheImageBackToo) {
+  Image const image = waves(67, 45, 3);
+  for (ImageCodec codec : {ImageCodec::jpeg, ImageCodec::webp, ImageCodec::avif}) {
+    EncodedImage const coded = encode_image(image, {codec, 95, true, Effort::usual});
+    EXPECT_LE(worst_difference(image, decode_image(coded.bytes, image.space)), 12);
+  }
+}
+
+/// Whether a JPEG has this marker segment before its first scan.
+bool has_marker(std::vector<std::byte> const& jpeg, int marker) {
+  for (std::size_t at = 2; at + 3 < jpeg.size() && jpeg[at] == std::byte{0xFF} && jpeg[at + 1] != std::byte{0xDA};
+       at += 2 + (std::to_integer<std::size_t>(jpeg[at + 2]) << 8 | std::to_integer<std::size_t>(jpeg[at + 3])))
+    if (jpeg[at + 1] == static_cast<std::byte>(marker)) return true;
+  return false;
+}
+
+TEST(ImageCodec, JpegIsBaselineWithTheUsualEffortAndProgressiveWithMore) {
+  constexpr int baseline = 0xC0, progressive = 0xC2;
+  Image const image = waves(67, 45, 3);
+  EXPECT_TRUE(has_marker(encode_image(image, {ImageCodec::jpeg, 90, true, Effort::usual}).bytes, baseline));
+  EXPECT_TRUE(has_marker(encode_image(image, {ImageCodec::jpeg, 90, true, Effort::thorough}).bytes, progressive));
+}
+
+TEST(ImageCodec, AvifKeepsAlphaWithoutLoss) {
+  Image const image = waves(20, 20, 4);
+  Image const back = decode_image(encode_image(image, {ImageCodec::avif, 30}).bytes, image.space);
+  for (std::size_t i = 3; i < image.texels.size(); i += 4) ASSERT_EQ(image.texels[i], back.texels[i]) << i;
+}
+
+TEST(ImageCodec, AvifOfOneTexel) {
+  Image const image{1, 1, 3, ColourSpace::srgb, {200, 100, 50}};
+  EXPECT_LE(worst_difference(image, decode_image(encode_image(image, {ImageCodec::avif, 95, true}).bytes, image.space)),
+            6);
 }
 
 TEST(ImageCodec, NamesAGitLfsPointer) {
