@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/study.h"
+
+namespace vitrine::report {
+namespace {
+
+/// Geometry and texture grow together, as they buy quality together.
+constexpr struct {
+  int triangles, texture;
+} kOwn[] = {{500, 64}, {1500, 128}, {3000, 256}, {6000, 512}};
+
+}  // namespace
+
+std::vector<Setting> settings(std::vector<int> const& textures) {
+  std::vector<Setting> out;
+  for (int texture : textures) {
+    Setting paper{"paper-" + std::to_string(texture), true, texture, {}};
+    paper.options.simplify.decimator = Decimator::openmesh;
+    paper.options.pack.packing = Packing::boxes;
+    paper.options.pack.texture = texture;
+    paper.options.bake.samples = 1;
+    paper.options.encode.profile = Profile::plain;
+    paper.options.encode.colour_quality = 90;
+    out.push_back(std::move(paper));
+  }
+  for (auto const& own : kOwn) {
+    Setting setting{"own-" + std::to_string(own.triangles) + "-" + std::to_string(own.texture), false, own.texture, {}};
+    setting.options.simplify.triangles = own.triangles;
+    setting.options.pack.texture = own.texture;
+    out.push_back(std::move(setting));
+  }
+  return out;
+}
+
+std::vector<Trial const*> paper_trials(Study const& study) {
+  std::vector<Trial const*> out;
+  for (Trial const& trial : study.trials)
+    if (trial.setting.paper) out.push_back(&trial);
+  return out;
+}
+
+Values paper_values(Study const& study, double (*figure)(Thumbnail const&)) {
+  Values values(study.gallery.models.size());
+  for (Trial const* trial : paper_trials(study))
+    for (std::size_t m = 0; m < values.size(); ++m) {
+      auto const& thumbnail = trial->thumbnails[m];
+      values[m].push_back(thumbnail ? std::optional(figure(*thumbnail)) : std::nullopt);
+    }
+  return values;
+}
+
+}  // namespace vitrine::report

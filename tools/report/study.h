@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// The figures that the paper is made of: a gallery's own thumbnails, and the same originals at other settings.
+
+#include "graph/pipeline.h"
+#include "tools/report/gallery.h"
+#include "tools/report/statistics.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::report {
+
+/// A way to make thumbnails.
+struct Setting {
+  std::string name;     ///< "paper-256"; of its folder, too
+  bool paper = false;   ///< the paper's choices, else Vitrine's own
+  int texture = 0;      ///< texels a side
+  graph::ModelOptions options;
+};
+
+/// What one setting made of each model, in the gallery's order; none where it failed.
+struct Trial {
+  Setting setting;
+  std::vector<std::optional<Thumbnail>> thumbnails;
+};
+
+struct Study {
+  Gallery gallery;
+  std::vector<Trial> trials;
+};
+
+/// The paper's choices at each texture size, and Vitrine's own from small to large.
+std::vector<Setting> settings(std::vector<int> const& textures);
+
+/// The trials with the paper's choices, by texture size.
+std::vector<Trial const*> paper_trials(Study const& study);
+
+/// One figure of the paper's thumbnails, model by texture size.
+Values paper_values(Study const& study, double (*figure)(Thumbnail const&));
+
+}  // namespace vitrine::report
