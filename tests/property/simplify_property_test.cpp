@@ -2,8 +2,8 @@
 // What both decimators promise for any mesh, and where ours must be the better one.
 #include "stages/clean.h"
 #include "stages/progression.h"
-#include "stages/ray_scene.h"
 #include "stages/simplify.h"
+#include "tests/support/mesh_checks.h"
 #include "tests/support/meshes.h"
 
 #include <gmock/gmock.h>
@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -20,10 +18,9 @@
 namespace vitrine {
 namespace {
 
-V3d area_vector(TriMesh const& mesh, Triangle const& t) {
-  V3d const a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
-  return (b - a).cross(c - a) / 2;
-}
+using test::area_vector;
+using test::mean_distance;
+using test::open_edges;
 
 std::size_t faces_without_area(TriMesh const& mesh) {
   return std::ranges::count_if(mesh.triangles, [&](Triangle const& t) { return !(area_vector(mesh, t).length() > 0); });
@@ -36,39 +33,11 @@ std::size_t unused_vertices(TriMesh const& mesh) {
   return std::ranges::count(used, false);
 }
 
-/// Edges that are not passed as often in one direction as in the other.
-std::size_t open_edges(TriMesh const& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes;
-  for (Triangle const& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::uint32_t const a = t[k], b = t[(k + 1) % 3];
-      passes[std::minmax(a, b)] += a < b ? 1 : -1;
-    }
-  return std::ranges::count_if(passes, [](auto const& edge) { return edge.second != 0; });
-}
-
 /// Faces of a mesh around the origin that look inwards.
 std::size_t faces_inwards(TriMesh const& mesh) {
   return std::ranges::count_if(mesh.triangles, [&](Triangle const& t) {
     return area_vector(mesh, t).dot(V3d(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]])) <= 0;
   });
-}
-
-/// Mean distance from seeded points on `from` to `to`, as a share of the bounding box's diagonal.
-double mean_distance(TriMesh const& from, TriMesh const& to) {
-  RayScene const scene(to);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> unit(0, 1);
-  double sum = 0, weights = 0;
-  for (Triangle const& t : from.triangles) {
-    float u = unit(random), v = unit(random);
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    V3f const point = from.positions[t[0]] * (1 - u - v) + from.positions[t[1]] * u + from.positions[t[2]] * v;
-    double const weight = area_vector(from, t).length();
-    sum += weight * scene.closest_point(point, std::numeric_limits<float>::max(), V3f(0))->distance;
-    weights += weight;
-  }
-  return sum / weights / bounds(from).size().length();
 }
 
 SimplifyOptions to_triangles(int triangles, Decimator decimator) {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/face_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+constexpr double kMostCells = 1 << 19;
+
+double total_area(TriMesh const& mesh) {
+  double sum = 0;
+  for (auto const& [a, b, c] : mesh.triangles) {
+    V3d const p(mesh.positions[a]);
+    sum += (V3d(mesh.positions[b]) - p).cross(V3d(mesh.positions[c]) - p).length() / 2;
+  }
+  return sum;
+}
+
+}  // namespace
+
+FaceGrid::FaceGrid(TriMesh const& mesh) {
+  double const edge = std::sqrt(total_area(mesh) / double(mesh.triangles.size()));
+  reach_ = float(edge / 2);
+  Box3f box = bounds(mesh);
+  box.min -= V3f(reach_), box.max += V3f(reach_);
+  V3d const size(box.size());
+  origin_ = box.min;
+  cell_ = float(std::max(edge / 2, std::cbrt(size.x * size.y * size.z / kMostCells)));
+  if (!(cell_ > 0)) return;
+  for (int k = 0; k < 3; ++k) cells_[k] = std::max(1, int(std::ceil(size[k] / cell_)));
+
+  faces_.reserve(mesh.triangles.size());
+  for (auto const& [a, b, c] : mesh.triangles) {
+    V3f const corner = mesh.positions[a], to_b = mesh.positions[b] - corner, to_c = mesh.positions[c] - corner;
+    faces_.push_back({corner, to_b, to_c, V3f(V3d(to_b).cross(V3d(to_c)).normalized())});
+  }
+  first_.assign(std::size_t(cells_.x) * cells_.y * cells_.z + 1, 0);
+  for (Face const& face : faces_) for_cells(face, [&](std::size_t cell) { ++first_[cell]; });
+  std::uint32_t sum = 0;
+  for (std::uint32_t& first : first_) first = sum += first;  // for now, where its list ends
+  listed_.resize(sum);
+  for (std::size_t f = faces_.size(); f-- > 0;)
+    for_cells(faces_[f], [&](std::size_t cell) { listed_[--first_[cell]] = std::uint32_t(f); });
+}
+
+/// Calls visit(cell) for cells that come within reach of the face; for a few more as well.
+template <class Visit>
+void FaceGrid::for_cells(Face const& face, Visit const& visit) const {
+  V3f const low = V3f(std::min(0.f, std::min(face.b.x, face.c.x)), std::min(0.f, std::min(face.b.y, face.c.y)),
+                      std::min(0.f, std::min(face.b.z, face.c.z)));
+  V3f const high = V3f(std::max(0.f, std::max(face.b.x, face.c.x)), std::max(0.f, std::max(face.b.y, face.c.y)),
+                       std::max(0.f, std::max(face.b.z, face.c.z)));
+  Imath::V3i from, to;
+  for (int k = 0; k < 3; ++k) {
+    float const corner = face.corner[k] - origin_[k];
+    from[k] = std::clamp(int((corner + low[k] - reach_) / cell_), 0, cells_[k] - 1);
+    to[k] = std::clamp(int((corner + high[k] + reach_) / cell_), 0, cells_[k] - 1);
+  }
+  V3f const n = face.normal;
+  float const thickness = reach_ * 1.001f + cell_ / 2 * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+  for (int z = from.z; z <= to.z; ++z)
+    for (int y = from.y; y <= to.y; ++y)
+      for (int x = from.x; x <= to.x; ++x) {
+        V3f const centre = origin_ + V3f(float(x) + 0.5f, float(y) + 0.5f, float(z) + 0.5f) * cell_;
+        if (std::abs((centre - face.corner).dot(n)) > thickness) continue;
+        visit((std::size_t(z) * cells_.y + y) * cells_.x + x);
+      }
+}
+
+std::optional<FaceGrid::Match> FaceGrid::closest(V3f const& point, V3f const& side) const {
+  V3f const place = (point - origin_) / cell_;
+  for (int k = 0; k < 3; ++k)
+    if (!(place[k] >= 0 && place[k] < float(cells_[k]))) return std::nullopt;
+  std::size_t const cell = (std::size_t(place.z) * cells_.y + std::size_t(place.y)) * cells_.x + std::size_t(place.x);
+  std::optional<Match> best;
+  float least = reach_ * reach_;
+  for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+    Face const& face = faces_[listed_[i]];
+    V3f const p = point - face.corner;
+    float const height = p.dot(face.normal);
+    if (height * height >= least || !(side.dot(face.normal) > 0)) continue;
+    Barycentric const at = closest_on_triangle(p, face.b, face.c);
+    float const distance2 = (p - face.b * at.u - face.c * at.v).length2();
+    if (!(distance2 < least)) continue;
+    least = distance2;
+    best = Match{listed_[i], at};
+  }
+  return best;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Moves the vertices of a light mesh to where its faces, as they are drawn, fit the original best.
+
+#include "stages/quantize.h"
+#include "stages/surface_samples.h"
+
+namespace vitrine {
+
+struct RefitOptions {
+  double facet_weight = 0.5;  ///< of the faces' slopes: 0.3 for fine meshes to 1 for coarse ones; 0: places alone
+  int iterations = 2;         ///< each matches the samples anew
+};
+
+/// Out:    the same faces. None has turned by more than 80 degrees or lost its area: where one would, its corners stay
+///         where they were. Outlines, and edges of more than two faces, hardly move in their tangent planes.
+/// Cost:   about 0.4 microseconds a sample and iteration, in parallel, and 5 microseconds a face.
+TriMesh refit(TriMesh mesh, SurfaceSamples const& samples, RefitOptions const& options = {});
+
+/// Puts the vertices on a grid: each on the nearest place, then, as long as that brings the mesh closer to the
+/// original, on one of the 26 places around it.
+/// Source: iterated conditional modes, Besag 1986, on the energy of refit().
+/// Out:    as quantize(): on the grid, bit for bit as Draco decodes it. No face turns over or loses its area but those
+///         that the nearest places cost.
+/// Errors: those of quantize().
+QuantizedMesh round_to_grid(TriMesh const& mesh, Grid const& grid, SurfaceSamples const& samples,
+                            RefitOptions const& options = {});
+
+}  // namespace vitrine

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Points spread evenly over an original, for whatever is fitted to it. Made once per original.
+
+#include "stages/surface.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vitrine {
+
+/// Each stands for the same area. Any part [i k] of them, with one k, is spread as evenly.
+struct SurfaceSamples {
+  std::vector<V3f> points;
+  std::vector<V3f> normals;  ///< unit, of the faces
+  std::vector<V3f> shading;  ///< unit, as drawn: interpolated, normal map applied
+  float radius = 0;  ///< half the diagonal of the original's bounding box
+};
+
+/// Places in equal steps of area along the list of faces; inside the faces the sequence of Roberts 2018, "The
+/// Unreasonable Effectiveness of Quasirandom Sequences". Deterministic.
+/// Cost: 24 bytes and about a tenth of a microsecond each, without a normal map.
+SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count = 250'000);
+
+}  // namespace vitrine
