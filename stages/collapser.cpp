@@ -21,7 +21,8 @@ std::optional<std::pair<Candidate, std::size_t>> BucketQueue::pop() {
 }
 
 /// What a collapse may do to the surface.
-struct Collapser::Rules {
+template <class Q>
+struct Collapser<Q>::Rules {
   bool keep_topology;
   double least_cosine, least_roundness;  ///< see CollapseMesh::keeps_shape
 
@@ -37,17 +38,22 @@ constexpr double kLengthCost = 1e-5;  // short edges first where the surface is 
 
 }  // namespace
 
-Collapser::Collapser(TriMesh const& mesh, double max_error)
+template <class Q>
+Collapser<Q>::Collapser(TriMesh const& mesh, double max_error, VertexColours const& colours)
     : mesh_(mesh),
       quadrics_(mesh_.vertices()),
       versions_(mesh_.vertices(), 0),
       max_distance_(max_error * mesh_.diagonal()) {
-  for (Index f = 0; f < mesh_.faces(); ++f) add_face_plane(f);
+  for (Index f = 0; f < mesh_.faces(); ++f) {
+    add_face_plane(f);
+    if constexpr (std::same_as<Q, ColourQuadric>) add_face_colours(f, colours);
+  }
   for (Index v = 0; v < mesh_.vertices(); ++v) add_edge_planes(v);
   push_all();
 }
 
-void Collapser::reduce_to(std::size_t target) {
+template <class Q>
+void Collapser<Q>::reduce_to(std::size_t target) {
   while (mesh_.faces() > target && !done_) {
     auto const cheapest = queue_.pop();
     if (!cheapest) {
@@ -59,18 +65,21 @@ void Collapser::reduce_to(std::size_t target) {
   }
 }
 
-void Collapser::record(std::vector<CollapseStep>* steps, std::vector<std::pair<Index, Index>>* went) {
+template <class Q>
+void Collapser<Q>::record(std::vector<CollapseStep>* steps, std::vector<std::pair<Index, Index>>* went) {
   steps_ = steps;
   went_ = went;
   mesh_.note_removed(&removed_);
 }
 
-StopReason Collapser::stop(std::size_t target) const {
+template <class Q>
+StopReason Collapser<Q>::stop(std::size_t target) const {
   if (mesh_.faces() <= target) return StopReason::target_reached;
   return limited_ ? StopReason::error_limit : StopReason::nothing_left;
 }
 
-void Collapser::push_all() {
+template <class Q>
+void Collapser<Q>::push_all() {
   faces_before_ = mesh_.faces();
   for (Index v = 0; v < mesh_.vertices(); ++v)
     for (CollapseMesh::Neighbour const& n : mesh_.neighbours(v))
@@ -79,7 +88,8 @@ void Collapser::push_all() {
 
 /// What was refused may have become possible: again, while that takes away one face in a hundred; then once more by
 /// looser rules.
-bool Collapser::next_pass() {
+template <class Q>
+bool Collapser<Q>::next_pass() {
   bool const fruitful = mesh_.faces() < faces_before_ - faces_before_ / 100;
   if (!fruitful && relaxed_) return false;
   relaxed_ = relaxed_ || !fruitful;
@@ -87,17 +97,32 @@ bool Collapser::next_pass() {
   return true;
 }
 
-void Collapser::add_face_plane(Index f) {
+template <class Q>
+void Collapser<Q>::add_face_plane(Index f) {
   auto const& [a, b, c] = mesh_.face(f);
   V3d const p = mesh_.position(a), area = (mesh_.position(b) - p).cross(mesh_.position(c) - p);
   double const length = area.length();
   if (!(length > 0)) return;
-  Quadric const plane = Quadric::plane(area / length, p, length / 2);
+  Q const plane = Q::plane(area / length, p, length / 2);
   for (Index v : {a, b, c}) quadrics_[v] += plane;
 }
 
+template <class Q>
+void Collapser<Q>::add_face_colours(Index f, VertexColours const& colours)
+  requires std::same_as<Q, ColourQuadric>
+{
+  std::array<V3d, 3> places, values;
+  for (int k = 0; k < 3; ++k) {
+    places[k] = mesh_.position(mesh_.face(f)[k]);
+    values[k] = V3d(colours.values[mesh_.face(f)[k]]) * (colours.weight * mesh_.diagonal() / 2);
+  }
+  double const area = (places[1] - places[0]).cross(places[2] - places[0]).length() / 2;
+  for (Index v : mesh_.face(f)) quadrics_[v].add_colours(places, values, area);
+}
+
 /// Planes through boundaries and non-manifold edges, perpendicular to the faces there: they hold the edges in place.
-void Collapser::add_edge_planes(Index v) {
+template <class Q>
+void Collapser<Q>::add_edge_planes(Index v) {
   for (CollapseMesh::Neighbour const& n : mesh_.neighbours(v)) {
     if (n.faces == 2 || n.vertex < v) continue;
     V3d const p = mesh_.position(v), edge = mesh_.position(n.vertex) - p;
@@ -108,31 +133,36 @@ void Collapser::add_edge_planes(Index v) {
       V3d const across = edge.cross(normal);
       double const length = across.length();
       if (!(length > 0)) return;
-      Quadric const plane = Quadric::plane(across / length, p, edge.length2());
+      Q const plane = Q::plane(across / length, p, edge.length2());
       quadrics_[v] += plane;
       quadrics_[n.vertex] += plane;
     });
   }
 }
 
-Collapser::Placement Collapser::place(Index a, Index b) const {
-  Quadric const quadric = quadrics_[a] + quadrics_[b];
+template <class Q>
+typename Collapser<Q>::Placement Collapser<Q>::place(Index a, Index b) const {
+  Q const sum = quadrics_[a] + quadrics_[b];
+  Quadric const quadric = sum.of_place();
   V3d const p = mesh_.position(a), q = mesh_.position(b), middle = (p + q) / 2;
   double const length2 = (q - p).length2();
-  V3d at = quadric.minimiser(middle, kStiffness);
+  double const weight = sum.weight();
+  V3d at = quadric.minimiser(middle, kStiffness * weight);
   if (!((at - middle).length2() <= length2))
     at = std::min({middle, p, q}, [&](V3d const& x, V3d const& y) { return quadric(x) < quadric(y); });
-  double const sum = quadric(at), weight = quadric.weight();
-  return {at, sum + kLengthCost * weight * length2, weight > 0 ? std::sqrt(sum / weight) : 0};
+  double const error = quadric(at);
+  return {at, error + kLengthCost * weight * length2, weight > 0 ? std::sqrt(error / weight) : 0};
 }
 
 /// A refused candidate comes back when costs are 16 times as high: by then its surroundings may have changed.
-void Collapser::postpone(Candidate const& candidate, std::size_t bucket) {
+template <class Q>
+void Collapser<Q>::postpone(Candidate const& candidate, std::size_t bucket) {
   bucket = std::max(bucket, BucketQueue::bucket(1e-18)) + 4 * BucketQueue::kOctave;
   if (bucket < BucketQueue::bucket(16)) queue_.push(bucket, candidate);
 }
 
-void Collapser::try_collapse(Candidate const& candidate, std::size_t bucket) {
+template <class Q>
+void Collapser<Q>::try_collapse(Candidate const& candidate, std::size_t bucket) {
   Rules const rules = relaxed_ ? Rules::relaxed() : Rules::strict();
   auto const [a, b, stamp] = candidate;
   Placement const placement = place(a, b);
@@ -156,7 +186,8 @@ void Collapser::try_collapse(Candidate const& candidate, std::size_t bucket) {
 }
 
 /// A part that vanishes is as wrong as if it had moved by its own size.
-void Collapser::try_vanish(Candidate const& candidate, std::size_t bucket, Placement const& placement) {
+template <class Q>
+void Collapser<Q>::try_vanish(Candidate const& candidate, std::size_t bucket, Placement const& placement) {
   double const size = std::min(std::sqrt(mesh_.twice_area_around(candidate.a, candidate.b)), mesh_.diagonal());
   if (size > max_distance_) {
     limited_ = true;
@@ -170,11 +201,15 @@ void Collapser::try_vanish(Candidate const& candidate, std::size_t bucket, Place
   note(candidate.a, candidate.a, V3f(0));
 }
 
-void Collapser::note(Index into, Index from, V3f const& place) {
+template <class Q>
+void Collapser<Q>::note(Index into, Index from, V3f const& place) {
   if (!steps_) return;
   for (Index f : removed_) went_->emplace_back(f, Index(steps_->size()));
   removed_.clear();
   steps_->push_back({into, from, place, error(), Index(mesh_.faces())});
 }
+
+template class Collapser<Quadric>;
+template class Collapser<ColourQuadric>;
 
 }  // namespace vitrine

@@ -4,9 +4,11 @@
 /// The order does not depend on how far it goes: a mesh of fewer faces is always made from the one of more.
 
 #include "stages/collapse_mesh.h"
-#include "stages/quadric.h"
+#include "stages/colour_quadric.h"
+#include "stages/simplify.h"
 
 #include <bit>
+#include <concepts>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -47,12 +49,14 @@ struct CollapseStep {
   std::uint32_t faces;             ///< that are left
 };
 
+/// With Quadric or ColourQuadric: the latter costs twice the memory and time.
+template <class Q>
 class Collapser {
  public:
   using Index = CollapseMesh::Index;
 
-  /// `max_error` is a share of the bounding box's diagonal.
-  Collapser(TriMesh const& mesh, double max_error);
+  /// `max_error` is a share of the bounding box's diagonal. Quadric does not read the colours.
+  Collapser(TriMesh const& mesh, double max_error, VertexColours const& colours);
 
   /// Goes on until `target` faces are left or no edge may go.
   void reduce_to(std::size_t target);
@@ -73,6 +77,8 @@ class Collapser {
   };
 
   void add_face_plane(Index f);
+  void add_face_colours(Index f, VertexColours const& colours)
+    requires std::same_as<Q, ColourQuadric>;
   void add_edge_planes(Index v);
   void push_all();
   bool next_pass();
@@ -85,7 +91,7 @@ class Collapser {
   void note(Index into, Index from, V3f const& place);
 
   CollapseMesh mesh_;
-  std::vector<Quadric> quadrics_;
+  std::vector<Q> quadrics_;
   std::vector<Index> versions_;
   BucketQueue queue_;
   std::vector<CollapseStep>* steps_ = nullptr;
@@ -96,5 +102,8 @@ class Collapser {
   std::size_t faces_before_ = 0;  ///< when the current pass began
   bool relaxed_ = false, done_ = false, limited_ = false;
 };
+
+extern template class Collapser<Quadric>;
+extern template class Collapser<ColourQuadric>;
 
 }  // namespace vitrine

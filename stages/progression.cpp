@@ -42,8 +42,16 @@ Index place_in(std::vector<Index> const& sorted, Index number) {
 
 }  // namespace
 
-Progression::Progression(TriMesh const& mesh, SimplifyOptions const& options) {
-  Collapser collapser(mesh, options.max_error);
+Progression::Progression(TriMesh const& mesh, SimplifyOptions const& options, VertexColours const& colours) {
+  if (colours.weight > 0)
+    collapse<ColourQuadric>(mesh, options, colours);
+  else
+    collapse<Quadric>(mesh, options, {});
+}
+
+template <class Q>
+void Progression::collapse(TriMesh const& mesh, SimplifyOptions const& options, VertexColours const& colours) {
+  Collapser<Q> collapser(mesh, options.max_error, colours);
   collapser.reduce_to(kFinest);
   mesh_ = collapser.mesh().extract();
   error_ = collapser.error();

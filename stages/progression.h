@@ -18,7 +18,7 @@ class Progression {
   static constexpr std::size_t kFinest = 65536;
 
   /// options.triangles is not read: the steps go on until nothing is left to collapse.
-  Progression(TriMesh const& mesh, SimplifyOptions const& options);
+  Progression(TriMesh const& mesh, SimplifyOptions const& options, VertexColours const& colours = {});
 
   /// What simplify() gives for this many triangles, exactly; for more than finest(), finest().
   SimplifiedMesh at(std::size_t triangles) const;
@@ -28,11 +28,14 @@ class Progression {
  private:
   static constexpr std::uint32_t kStays = ~std::uint32_t{0};
 
+  template <class Q>
+  void collapse(TriMesh const& mesh, SimplifyOptions const& options, VertexColours const& colours);
+
   TriMesh mesh_;
   float error_ = 0;                  ///< of mesh_
   std::vector<CollapseStep> steps_;  ///< in mesh_'s vertices
   std::vector<std::uint32_t> went_;  ///< per face of mesh_: the step that took it, or kStays
-  StopReason stop_;                  ///< where the steps end
+  StopReason stop_{};                 ///< where the steps end
 };
 
 }  // namespace vitrine

@@ -13,16 +13,20 @@ namespace vitrine {
 /// q(x) = x'Ax - 2b'x + c with A symmetric, in the square of the unit of x times the unit of the weights.
 class Quadric {
  public:
+  /// Weight times the square of slope'x - value.
+  static Quadric linear(V3d const& slope, double value, double weight) {
+    Quadric q;
+    V3d const w = slope * weight;
+    q.xx_ = w.x * slope.x, q.xy_ = w.x * slope.y, q.xz_ = w.x * slope.z;
+    q.yy_ = w.y * slope.y, q.yz_ = w.y * slope.z, q.zz_ = w.z * slope.z;
+    q.b_ = w * value;
+    q.c_ = weight * value * value;
+    return q;
+  }
+
   /// Weight times the squared distance to the plane through `point` with unit `normal`.
   static Quadric plane(V3d const& normal, V3d const& point, double weight) {
-    Quadric q;
-    double const d = normal.dot(point);
-    V3d const w = normal * weight;
-    q.xx_ = w.x * normal.x, q.xy_ = w.x * normal.y, q.xz_ = w.x * normal.z;
-    q.yy_ = w.y * normal.y, q.yz_ = w.y * normal.z, q.zz_ = w.z * normal.z;
-    q.b_ = w * d;
-    q.c_ = weight * d * d;
-    return q;
+    return linear(normal, normal.dot(point), weight);
   }
 
   Quadric& operator+=(Quadric const& q) {
@@ -38,11 +42,12 @@ class Quadric {
   /// Sum of the planes' weights.
   double weight() const { return xx_ + yy_ + zz_; }
 
-  /// The x where q(x) + stiffness * weight() * |x - near|^2 is least: planes that leave a direction open leave x near
-  /// `near`.
+  /// As a function of the place alone.
+  Quadric const& of_place() const { return *this; }
+
+  /// The x where q(x) + stiffness * |x - near|^2 is least: planes that leave a direction open leave x near `near`.
   V3d minimiser(V3d const& near, double stiffness) const {
-    double const s = stiffness * weight();
-    double const xx = xx_ + s, yy = yy_ + s, zz = zz_ + s;
+    double const xx = xx_ + stiffness, yy = yy_ + stiffness, zz = zz_ + stiffness;
     V3d const row0(yy * zz - yz_ * yz_, xz_ * yz_ - xy_ * zz, xy_ * yz_ - xz_ * yy);  // of the adjugate
     V3d const row1(row0.y, xx * zz - xz_ * xz_, xy_ * xz_ - xx * yz_);
     V3d const row2(row0.z, row1.z, xx * yy - xy_ * xy_);

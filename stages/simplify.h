@@ -7,6 +7,8 @@
 #include "stages/data.h"
 #include "stages/options.h"
 
+#include <span>
+
 namespace vitrine {
 
 enum class Decimator {
@@ -32,6 +34,12 @@ struct SimplifyOptions {
   }
 };
 
+/// Colours that faces should keep apart where they differ.
+struct VertexColours {
+  std::span<V3f const> values;  ///< one per vertex of the mesh, as pictures are compared: sRGB in [0,1]
+  double weight = 0;            ///< half diagonals of the bounding box that a difference of 1 counts as; 0: not at all
+};
+
 /// Simplifies a welded mesh to options.triangles faces.
 /// In:     n vertices, f faces; may be open, non-manifold, of many components. A small component vanishes once that
 ///         harms less than to coarsen the rest: it counts as a move by its own size. Dust does not eat the budget.
@@ -41,6 +49,7 @@ struct SimplifyOptions {
 /// Errors: none beyond std::bad_alloc: what cannot be collapsed stays, and `stop` says so.
 /// Cost:   near O(n): some 110 bytes per face; 0.6 to 1 million faces a second on one core. OpenMesh: a twentieth of that,
 ///         and quadratic in the faces around one vertex.
-SimplifiedMesh simplify(TriMesh const& mesh, SimplifyOptions const& options = {});
+///         With colours, which our own decimator alone heeds, twice that, and `error` holds the colours' part too.
+SimplifiedMesh simplify(TriMesh const& mesh, SimplifyOptions const& options = {}, VertexColours const& colours = {});
 
 }  // namespace vitrine

@@ -206,6 +206,19 @@ TEST(ProgressionProperty, GivesTheSameFromALargeMesh) {
   EXPECT_EQ(Progression(mesh, {}).at(1'000'000).mesh.triangles.size(), Progression::kFinest);
 }
 
+TEST(ProgressionProperty, HeedsColoursAsASimplificationDoes) {
+  TriMesh const mesh = test::bumpy_sphere(60, 40);
+  std::vector<V3f> colours;
+  for (V3f const& p : mesh.positions) colours.push_back(V3f(p.x > 0.2f, p.y > 0, 0));
+  VertexColours const heeded{colours, 0.05};
+  Progression const progression(mesh, {}, heeded);
+  for (int count : {50, 700}) {
+    TriMesh const direct = simplify(mesh, to_triangles(count, Decimator::optimal), heeded).mesh;
+    EXPECT_EQ(progression.at(std::size_t(count)).mesh.positions, direct.positions);
+    EXPECT_NE(simplify(mesh, to_triangles(count, Decimator::optimal)).mesh.positions, direct.positions);
+  }
+}
+
 TEST(ProgressionProperty, EndsWhereTheErrorLimitEndsIt) {
   expect_same_levels(test::bumpy_sphere(36, 24), {4, 300, 1200}, 0.002);
 }

@@ -2,12 +2,16 @@
 #include "stages/simplify.h"
 
 #include "stages/clean.h"
-#include "stages/quadric.h"
+#include "stages/colour.h"
+#include "stages/colour_quadric.h"
+#include "stages/welded_colours.h"
 #include "tests/support/meshes.h"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
 namespace vitrine {
@@ -60,6 +64,23 @@ TEST(Quadric, StaysNearWhereItsPlanesLeaveADirectionOpen) {
   Quadric const q = Quadric::plane({0, 1, 0}, {0, 2, 0}, 1);
   EXPECT_LT((q.minimiser({5, 0, 7}, 1e-6) - V3d(5, 2, 7)).length(), 1e-4);
   EXPECT_EQ(Quadric().minimiser({5, 0, 7}, 1e-6), V3d(5, 0, 7));
+}
+
+TEST(ColourQuadric, IsThatOfThePlaneWhereColourIsLinear) {
+  std::array<V3d, 3> const corners{V3d(0, 0, 0), V3d(2, 0, 0), V3d(0, 0, 1)};
+  std::array<V3d, 3> const colours{V3d(0, 1, 0.5), V3d(1, 1, 0), V3d(0.25, 0, 0)};
+  ColourQuadric q = ColourQuadric::plane({0, 1, 0}, {0, 0, 0}, 1);
+  q.add_colours(corners, colours, 1);
+  EXPECT_NEAR(q.of_place()({7, 3, -5}), 9, 1e-12) << "some colour fits everywhere";
+  EXPECT_EQ(q.weight(), 1);
+}
+
+TEST(ColourQuadric, SumsTheSquaresOfColoursThatDoNotAgree) {
+  ColourQuadric q;  // grey 0 on one face, 1 on another of three times the weight: the best is 3/4
+  std::array<V3d, 3> const corners{V3d(0, 0, 0), V3d(1, 0, 0), V3d(0, 0, 1)};
+  q.add_colours(corners, {V3d(0), V3d(0), V3d(0)}, 1);
+  q.add_colours(corners, {V3d(1), V3d(1), V3d(1)}, 3);
+  EXPECT_NEAR(q.of_place()({4, 5, 6}), 3 * (9.0 / 16 + 3.0 / 16), 1e-12);
 }
 
 class Simplify : public testing::TestWithParam<Decimator> {};
@@ -143,6 +164,41 @@ TEST(SimplifyOptimal, NeverReturnsNothing) {
   TriMesh const light = simplify(flakes, to_triangles(4)).mesh;
   EXPECT_THAT(light.triangles, SizeIs(4));
   EXPECT_THAT(light.positions, SizeIs(12));
+}
+
+/// A flat sheet, black where x + z < 30 and white elsewhere.
+SourceModel two_coloured_sheet() {
+  SourceModel sheet = test::plain_model(test::grid(40, 40));
+  for (V3f const& p : sheet.mesh.positions) {
+    std::uint16_t const c = p.x + p.z < 30 ? 0 : 65535;
+    sheet.colours.push_back({c, c, c, 65535});
+  }
+  return sheet;
+}
+
+TEST(SimplifyOptimal, KeepsColoursApart) {
+  auto const model = std::make_shared<SourceModel const>(clean(two_coloured_sheet()).model);
+  TriMesh const welded = weld(*model);
+  std::vector<V3f> const colours = welded_colours(survey(model), welded);
+  // Of the faces' vertices, those close to the line between the colours.
+  auto const on_line = [](TriMesh const& mesh) {
+    return std::ranges::count_if(mesh.positions, [](V3f const& p) { return std::abs(p.x + p.z - 29.5f) < 1.5f; });
+  };
+  TriMesh const plain = simplify(welded, to_triangles(40)).mesh;
+  TriMesh const heeding = simplify(welded, to_triangles(40), {colours, 0.02}).mesh;
+  EXPECT_GT(on_line(heeding), 10);
+  EXPECT_LT(on_line(plain), 5);
+  EXPECT_NEAR(area(heeding), 1600, 8);
+}
+
+TEST(WeldedColours, AreThoseOfTheSurfaceInSrgb) {
+  auto const model = std::make_shared<SourceModel const>(clean(test::painted_model(test::bumpy_sphere(64, 32))).model);
+  TriMesh const welded = weld(*model);
+  std::vector<V3f> const colours = welded_colours(survey(model), welded);
+  ASSERT_EQ(colours.size(), model->colours.size()) << "no two vertices meet";
+  for (std::size_t v = 0; v < colours.size(); ++v)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(colours[v][k], linear_to_srgb(float(model->colours[v][k]) / 65535), 0.1f) << v;
 }
 
 TEST(SimplifyOptimal, ClosesAHoleOfOneFace) {
