@@ -16,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "buffers are written as they lie in memory");
 
 // glTF's names for what accessors hold.
-constexpr int kByte = 5120, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
+constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
 
 std::size_t index_size(std::size_t vertices) { return vertices <= 65535 ? 2 : 4; }
 
@@ -43,8 +43,7 @@ Json rounded_bound(V3f const& corner, double range, double (*round)(double)) {
 /// Triangles so that neighbours follow each other, vertices in the order of first use.
 VertexMesh in_cache_order(VertexMesh const& mesh) {
   std::size_t const n = mesh.positions.size(), corners = 3 * mesh.triangles.size();
-  VertexMesh out{std::vector<V3f>(n), std::vector<V3f>(mesh.normals.size()), std::vector<V4f>(mesh.tangents.size()),
-                 std::vector<V2f>(mesh.uvs.size()), std::vector<Triangle>(mesh.triangles.size())};
+  VertexMesh out = mesh;
   unsigned* const indices = out.triangles.front().data();
   meshopt_optimizeVertexCacheStrip(indices, mesh.triangles.front().data(), corners, n);
   std::vector<unsigned> remap(n);
@@ -57,6 +56,7 @@ VertexMesh in_cache_order(VertexMesh const& mesh) {
   reorder(out.normals, mesh.normals);
   reorder(out.tangents, mesh.tangents);
   reorder(out.uvs, mesh.uvs);
+  reorder(out.colours, mesh.colours);
   return out;
 }
 
@@ -72,7 +72,7 @@ double position_step(Grid const& grid) { return grid.range / static_cast<float>(
 /// Interleaved vertices; each attribute at a multiple of 4 bytes, as glTF wants.
 struct VertexBuffer {
   std::vector<std::byte> bytes;
-  std::size_t stride = 8, normal_at = 0, tangent_at = 0, uv_at = 0;
+  std::size_t stride = 8, normal_at = 0, tangent_at = 0, uv_at = 0, colour_at = 0;
   bool short_normals = false;
 };
 
@@ -83,6 +83,7 @@ VertexBuffer quantize(VertexMesh const& mesh, Grid const& grid) {
     buffer.normal_at = std::exchange(buffer.stride, buffer.stride + (buffer.short_normals ? 8 : 4));
   if (!mesh.tangents.empty()) buffer.tangent_at = std::exchange(buffer.stride, buffer.stride + 4);
   if (!mesh.uvs.empty()) buffer.uv_at = std::exchange(buffer.stride, buffer.stride + 4);
+  if (!mesh.colours.empty()) buffer.colour_at = std::exchange(buffer.stride, buffer.stride + 4);
   buffer.bytes.resize(mesh.positions.size() * buffer.stride);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     std::byte* const vertex = buffer.bytes.data() + i * buffer.stride;
@@ -99,6 +100,8 @@ VertexBuffer quantize(VertexMesh const& mesh, Grid const& grid) {
       put<std::int8_t>(vertex + buffer.tangent_at + k, 127.0 * mesh.tangents[i][k]);
     for (unsigned k = 0; k < 2 && !mesh.uvs.empty(); ++k)
       put<std::uint16_t>(vertex + buffer.uv_at + 2 * k, 65535.0 * mesh.uvs[i][k]);
+    for (unsigned k = 0; k < 3 && !mesh.colours.empty(); ++k)
+      put<std::uint8_t>(vertex + buffer.colour_at + k, 255.0 * mesh.colours[i][k]);
   }
   return buffer;
 }
@@ -142,6 +145,7 @@ WrittenGeometry describe(GltfDocument& document, VertexMesh const& mesh, VertexB
   if (buffer.normal_at > 0) attribute("NORMAL", buffer.normal_at, buffer.short_normals ? kShort : kByte, true, "VEC3");
   if (buffer.tangent_at > 0) attribute("TANGENT", buffer.tangent_at, kByte, true, "VEC4");
   if (buffer.uv_at > 0) attribute("TEXCOORD_0", buffer.uv_at, kUnsignedShort, true, "VEC2");
+  if (buffer.colour_at > 0) attribute("COLOR_0", buffer.colour_at, kUnsignedByte, true, "VEC3");
   Json indices = {{"bufferView", 1}};
   indices.update(index_accessor(n, mesh.triangles.size()));
   written.primitive["indices"] = add(document.json, "accessors", std::move(indices));
@@ -186,6 +190,7 @@ WrittenGeometry write_draco(GltfDocument& document, VertexMesh const& mesh, Grid
   if (coded.normal_id >= 0) attribute("NORMAL", coded.normal_id, "VEC3");
   if (coded.tangent_id >= 0) attribute("TANGENT", coded.tangent_id, "VEC4");
   if (coded.uv_id >= 0) attribute("TEXCOORD_0", coded.uv_id, "VEC2");
+  if (coded.colour_id >= 0) attribute("COLOR_0", coded.colour_id, "VEC3");
   written.primitive["indices"] = add(document.json, "accessors", index_accessor(coded.vertices, coded.triangles));
   document.use_extension("KHR_draco_mesh_compression", Need::required);
   written.primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", document.add_view(coded.bytes)},

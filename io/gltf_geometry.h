@@ -22,7 +22,7 @@ struct WrittenGeometry {
 WrittenGeometry write_draco(GltfDocument& document, VertexMesh const& mesh, Grid const& grid);
 
 /// KHR_mesh_quantization: interleaved vertices with 16-bit positions (the grid's own integers) and uvs, 8-bit normals
-/// (16-bit where the grid has more than 8 bits) and tangents; in cache order, which servers' gzip likes too.
+/// (16-bit where the grid has more than 8 bits), tangents and colours; in cache order, which servers' gzip likes too.
 WrittenGeometry write_buffers(GltfDocument& document, VertexMesh const& mesh, Grid const& grid);
 
 /// The same vertices and indices by EXT_meshopt_compression, without a fallback for clients that lack it.

@@ -53,6 +53,7 @@ std::unique_ptr<draco::Mesh> build(VertexMesh const& mesh, DracoMesh& ids) {
   if (!mesh.normals.empty()) ids.normal_id = add_attribute(built, draco::GeometryAttribute::NORMAL, mesh.normals);
   if (!mesh.tangents.empty()) ids.tangent_id = add_attribute(built, draco::GeometryAttribute::GENERIC, mesh.tangents);
   if (!mesh.uvs.empty()) ids.uv_id = add_attribute(built, draco::GeometryAttribute::TEX_COORD, mesh.uvs);
+  if (!mesh.colours.empty()) ids.colour_id = add_attribute(built, draco::GeometryAttribute::COLOR, mesh.colours);
   // Edgebreaker walks over equal positions, not over vertices: seams then cost only the attributes that differ.
   if (!built.DeduplicateAttributeValues())
     throw Error(ErrorKind::broken, "draco cannot merge equal attributes", "report this model");
@@ -64,13 +65,14 @@ int position_attribute(draco::Mesh const& mesh) { return mesh.GetNamedAttributeI
 
 /// Fixes the steps of each attribute, so that equal values are equal in every file and on every client.
 void use_grid(draco::ExpertEncoder& encoder, draco::Mesh const& mesh, Grid const& grid) {
-  V2f const corner(0, 0);
   V4f const least(0, 0, 0, 0);
   int const uv = mesh.GetNamedAttributeId(draco::GeometryAttribute::TEX_COORD);
   int const normal = mesh.GetNamedAttributeId(draco::GeometryAttribute::NORMAL);
+  int const colour = mesh.GetNamedAttributeId(draco::GeometryAttribute::COLOR);
   encoder.SetAttributeExplicitQuantization(position_attribute(mesh), grid.position_bits, 3, grid.origin.getValue(),
                                            grid.range);
-  if (uv >= 0) encoder.SetAttributeExplicitQuantization(uv, grid.uv_bits, 2, corner.getValue(), 1);
+  if (uv >= 0) encoder.SetAttributeExplicitQuantization(uv, grid.uv_bits, 2, &least.x, 1);
+  if (colour >= 0) encoder.SetAttributeExplicitQuantization(colour, grid.colour_bits, 3, &least.x, 1);
   int const tangent = mesh.GetNamedAttributeId(draco::GeometryAttribute::GENERIC);
   if (normal >= 0) encoder.SetAttributeQuantization(normal, grid.normal_bits);
   if (tangent >= 0) encoder.SetAttributeExplicitQuantization(tangent, kTangentBits, 4, &least.x, 1);
@@ -92,6 +94,7 @@ VertexMesh split_vertices(BakedModel const& model) {
     copy = static_cast<std::uint32_t>(split.positions.size());
     split.positions.push_back(model.mesh.positions[vertex]);
     if (!model.normals.empty()) split.normals.push_back(model.normals[vertex]);
+    if (!model.colours.empty()) split.colours.push_back(model.colours[vertex]);
     if (tangent) split.tangents.push_back(with_w(*tangent));
     if (uv) split.uvs.push_back(*uv);
     next.push_back(first[vertex]);

@@ -126,12 +126,12 @@ struct Atlas {
   float fill = 0;                     ///< share of the texels that charts cover
 };
 
-/// Grid on which positions and texture coordinates are stored: value = origin + integer * step.
-/// An axis-aligned cube for positions, the unit square for texture coordinates.
+/// Grid on which a file stores its vertices: value = origin + integer * step. An axis-aligned cube for positions, the unit
+/// square for texture coordinates, the unit cube for colours.
 struct Grid {
   V3f origin{0, 0, 0};
   float range = 1;  ///< edge of the cube
-  int position_bits = 0, uv_bits = 0, normal_bits = 0;
+  int position_bits = 0, uv_bits = 0, normal_bits = 0, colour_bits = 0;
 };
 
 /// An atlas whose positions and texture coordinates lie exactly on the grid that the file stores,
@@ -152,11 +152,12 @@ struct BakedModel {
   TriMesh mesh;
   std::vector<CornerUvs> corner_uvs;  ///< f; empty when there is no map
   std::vector<V3f> normals;           ///< n, unit; empty: drawn flat, never with a normal map
+  std::vector<V3f> colours;           ///< n, linear, in [0,1], multiplied by base_colour; empty: none
   std::vector<std::uint32_t> face_charts; ///< f, index into chart_tangents; empty when there is no normal map
   std::vector<V3f> chart_tangents;    ///< c, each +X, +Y or +Z; glTF's TANGENT of all the chart's vertices, w = 1
   V3d origin{0, 0, 0};
   Grid grid;
-  Rgba base_colour{1, 1, 1, 1};       ///< multiplies the colour map; alone for models of one colour
+  Rgba base_colour{1, 1, 1, 1};       ///< multiplies colour map and vertex colours; alone for models of one colour
   std::optional<Image> colour;        ///< sRGB, 3 or 4 channels
   std::optional<Image> normal;        ///< tangent space of chart_tangents, 3 channels, linear
   std::optional<Image> occlusion;     ///< 1 channel, linear

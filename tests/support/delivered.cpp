@@ -59,6 +59,19 @@ BakedModel random_model(unsigned seed, int slices, int stacks) {
   return model;
 }
 
+BakedModel painted_model(unsigned seed) {
+  BakedModel const whole = random_model(seed);
+  BakedModel model;
+  model.mesh = whole.mesh;
+  model.grid = whole.grid;
+  model.grid.colour_bits = 5;
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> code(0, 31);
+  for (std::size_t v = 0; v < model.mesh.positions.size(); ++v)
+    model.colours.push_back(V3f(float(code(random)), float(code(random)), float(code(random))) * (1.f / 31));
+  return model;
+}
+
 io::VertexMesh decode_draco(std::span<std::byte const> bytes) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<char const*>(bytes.data()), bytes.size());
@@ -70,6 +83,7 @@ io::VertexMesh decode_draco(std::span<std::byte const> bytes) {
                       values<V3f>(from, draco::GeometryAttribute::NORMAL),
                       values<Imath::V4f>(from, draco::GeometryAttribute::GENERIC),
                       values<V2f>(from, draco::GeometryAttribute::TEX_COORD),
+                      values<V3f>(from, draco::GeometryAttribute::COLOR),
                       {}};
   for (std::uint32_t f = 0; f < from.num_faces(); ++f) {
     auto const& face = from.face(draco::FaceIndex(f));
@@ -86,7 +100,9 @@ std::vector<Corners> corners(io::VertexMesh const& mesh) {
       V3f const& p = mesh.positions[t[c]];
       V2f const uv = mesh.uvs.empty() ? V2f(0) : mesh.uvs[t[c]];
       Imath::V4f const tangent = mesh.tangents.empty() ? Imath::V4f(0) : mesh.tangents[t[c]];
-      triangle[c] = {p.x, p.y, p.z, uv.x, uv.y, tangent.x, tangent.y, tangent.z, tangent.w};
+      V3f const colour = mesh.colours.empty() ? V3f(0) : mesh.colours[t[c]];
+      triangle[c] = {p.x,       p.y,       p.z,       uv.x,     uv.y,     tangent.x,
+                     tangent.y, tangent.z, tangent.w, colour.x, colour.y, colour.z};
     }
     std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     all.push_back(triangle);

@@ -14,11 +14,14 @@ namespace vitrine::test {
 /// tangents, both differing between charts.
 BakedModel random_model(unsigned seed, int slices = 24, int stacks = 12);
 
+/// The same sphere with nothing but colours per vertex, on their grid of 5 bits.
+BakedModel painted_model(unsigned seed);
+
 /// Decodes with the Draco library alone.
 io::VertexMesh decode_draco(std::span<std::byte const> bytes);
 
-/// Position, uv and tangent of a triangle's corners, the least corner first, the winding kept.
-using Corners = std::array<std::array<float, 9>, 3>;
+/// Position, uv, tangent and colour of a triangle's corners, the least corner first, the winding kept.
+using Corners = std::array<std::array<float, 12>, 3>;
 /// Of all triangles, sorted: equal for meshes that differ in nothing but order.
 std::vector<Corners> corners(io::VertexMesh const& mesh);
 

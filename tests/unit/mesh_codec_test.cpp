@@ -12,6 +12,7 @@ namespace {
 
 using test::corners;
 using test::decode_draco;
+using test::painted_model;
 using test::random_model;
 
 BakedModel bare(TriMesh mesh) {
@@ -69,6 +70,15 @@ TEST(EncodeDraco, DecodesToTheGridExactly) {
   }
 }
 
+TEST(EncodeDraco, KeepsColoursOfTheGridExactly) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    BakedModel const model = painted_model(seed);
+    VertexMesh const mesh = split_vertices(model);
+    EXPECT_EQ(mesh.positions.size(), model.mesh.positions.size());
+    EXPECT_EQ(corners(decode_draco(encode_draco(mesh, model.grid).bytes)), corners(mesh));
+  }
+}
+
 TEST(EncodeDraco, StaysWithinHalfAStepOffTheGrid) {
   BakedModel const model = bare(test::bumpy_sphere(24, 12));
   VertexMesh const mesh = split_vertices(model);
@@ -119,7 +129,7 @@ TEST(EncodeDraco, GivesTheSameBytesAgain) {
 }
 
 TEST(EncodeDraco, StoresSequentiallyWhatEdgebreakerRefuses) {
-  VertexMesh const collapsed{{{0, 0, 0}, {1, 0, 0}}, {}, {}, {}, {{0, 1, 1}}};
+  VertexMesh const collapsed{{{0, 0, 0}, {1, 0, 0}}, {}, {}, {}, {}, {{0, 1, 1}}};
   DracoMesh const coded = encode_draco(collapsed, {{0, 0, 0}, 1, 8, 8, 8});
   EXPECT_EQ(std::to_integer<int>(coded.bytes[8]), 0);  // the header's method: 0 sequential, 1 edgebreaker
   EXPECT_EQ(decode_draco(coded.bytes).triangles.size(), coded.triangles);

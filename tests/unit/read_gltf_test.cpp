@@ -384,8 +384,10 @@ TEST(ReadGltf, InstancingRepeatsTheMesh) {
 // ---- compression ----------------------------------------------------------------------------------------------------
 
 Builder draco_square() {
-  VertexMesh const mesh{
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}, {}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  VertexMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   DracoMesh const draco = encode_draco(mesh, {{0, 0, 0}, 1, 12, 10, 0});
   Builder b = square();
   b.primitive()["attributes"]["TEXCOORD_0"] = 0;

@@ -130,6 +130,11 @@ VertexMesh dequantise(Glb const& glb) {
         tangent[k] = at<std::int8_t>(vertices, v + offset("TANGENT") + std::size_t(k)) / 127.0f;
       mesh.tangents.push_back(tangent);
     }
+    if (attributes.contains("COLOR_0")) {
+      V3f colour;
+      for (unsigned k = 0; k < 3; ++k) colour[k] = at<std::uint8_t>(vertices, v + offset("COLOR_0") + k) / 255.0f;
+      mesh.colours.push_back(colour);
+    }
     if (attributes.contains("TEXCOORD_0")) {
       std::size_t const t = v + offset("TEXCOORD_0");
       mesh.uvs.push_back(V2f(at<std::uint16_t>(vertices, t), at<std::uint16_t>(vertices, t + 2)) / 65535.0f);
@@ -148,11 +153,18 @@ VertexMesh dequantise(Glb const& glb) {
 /// Moves what was decoded to 16 bits back to the 11 bits that it came from, when it is within 16 bits' half step.
 void snap_to(Grid const& grid, VertexMesh& mesh) {
   float const step = grid.range / float((1 << grid.position_bits) - 1), uv_step = 1 / float((1 << grid.uv_bits) - 1);
+  float const colour_steps = float((1 << grid.colour_bits) - 1);
   for (V3f& p : mesh.positions)
     for (unsigned k = 0; k < 3; ++k) {
       float const exact = grid.origin[k] + std::round((p[k] - grid.origin[k]) / step) * step;
       EXPECT_NEAR(p[k], exact, 1e-6f);
       p[k] = exact;
+    }
+  for (V3f& colour : mesh.colours)
+    for (unsigned k = 0; k < 3; ++k) {
+      float const exact = std::round(colour[k] * colour_steps) * (1 / colour_steps);
+      EXPECT_NEAR(colour[k], exact, 0.51f / 255);
+      colour[k] = exact;
     }
   for (V2f& uv : mesh.uvs)
     for (unsigned k = 0; k < 2; ++k) {
@@ -228,6 +240,35 @@ TEST(WriteGlb, BuffersDequantiseToTheGrid) {
     }
 }
 
+TEST(WriteGlb, ColoursPerVertexComeBackInAllProfiles) {
+  BakedModel const model = test::painted_model(1);
+  for (Profile profile : kProfiles) {
+    Resolve const nothing = [](std::string_view) { return std::nullopt; };
+    SourceModel const read = read_gltf(own(encode(model, "", {profile}).glb), nothing);
+    VertexMesh mesh{read.mesh.positions, {}, {}, {}, {}, read.mesh.triangles};
+    for (Rgba16 const& c : read.colours) {
+      EXPECT_EQ(c[3], 65535);
+      mesh.colours.push_back(V3f(c[0], c[1], c[2]) / 65535);
+    }
+    snap_to(model.grid, mesh);
+    EXPECT_EQ(test::corners(mesh), test::corners(split_vertices(model)));
+  }
+}
+
+TEST(WriteGlb, FlatColouredFilesHoldNothingElse) {
+  for (Profile profile : kProfiles) {
+    Json const json = json_of(test::painted_model(1), {profile});
+    Json const& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+    EXPECT_EQ(attributes.size(), 2u);
+    Json const& accessor = json["accessors"][attributes["COLOR_0"].get<std::size_t>()];
+    EXPECT_EQ(accessor["type"], "VEC3");
+    EXPECT_EQ(accessor["componentType"], profile == Profile::web ? 5126 : 5121);
+    EXPECT_EQ(accessor.value("normalized", false), profile != Profile::web);
+    EXPECT_FALSE(json.contains("textures"));
+  }
+  EXPECT_LT(encode(test::painted_model(1), "").other, 800u);
+}
+
 TEST(WriteGlb, OurOwnReaderFindsTheSameMesh) {
   for (Profile profile : kProfiles) {
     BakedModel model = test::random_model(2);
@@ -235,7 +276,7 @@ TEST(WriteGlb, OurOwnReaderFindsTheSameMesh) {
     Resolve const nothing = [](std::string_view) { return std::nullopt; };
     SourceModel const read = read_gltf(own(encode(model, "", {profile}).glb), nothing);
     model.chart_tangents.clear();  // it reads none
-    VertexMesh mesh{read.mesh.positions, {}, {}, read.uvs, read.mesh.triangles};
+    VertexMesh mesh{read.mesh.positions, {}, {}, read.uvs, {}, read.mesh.triangles};
     V3f const shift(read.origin - model.origin);
     for (V3f& p : mesh.positions) p += shift;
     snap_to(model.grid, mesh);

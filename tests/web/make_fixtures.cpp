@@ -90,6 +90,24 @@ Fixture occluded() {
   return {"occluded", model, {{"coverage", 0.64}, {"pixels", {pixel(0, 0, {188, 188, 188})}}}};
 }
 
+/// Colours at the corners, flat: mixed in linear light, a quarter, a half and a quarter, and halved by the factor.
+Fixture painted() {
+  BakedModel model = quad();
+  model.colour.reset();
+  model.corner_uvs.clear();
+  model.normals.clear();
+  model.unlit = true;
+  model.base_colour = {0.5f, 0.5f, 0.5f, 1};
+  model.grid.colour_bits = 5;
+  model.colours = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  return {"painted", model, {{"coverage", 0.64}, {"light", {0, 0, 1}}, {"pixels", {pixel(0.5, -0.5, {99, 137, 99})}}}};
+}
+
+/// A sphere of colours per vertex without normals: facets, lit.
+Fixture painted_facets() {
+  return {"painted_facets", test::painted_model(3), {{"light", {0, 0, 1}}}};
+}
+
 /// A cube of linear colour 0.2 (124 in sRGB) without any map.
 Fixture cube(std::string name, V3d const& origin) {
   BakedModel model;
@@ -155,7 +173,7 @@ int main(int count, char** arguments) {
   }
   std::filesystem::path const folder = arguments[1];
   std::vector<Fixture> fixtures{
-      unlit(), cut_out(), occluded(), charts(), cube("cube", {0, 0, 0}), cube("far_cube", {4e6, -5e5, 3e6 + 0.125})};
+      unlit(), cut_out(), occluded(), charts(), painted(), painted_facets(), cube("cube", {0, 0, 0}), cube("far_cube", {4e6, -5e5, 3e6 + 0.125})};
   for (Chart const& chart : kCharts)
     for (bool flat : {false, true}) fixtures.push_back(tilted(chart, flat));
   Json expected = Json::array();
