@@ -13,71 +13,93 @@
 namespace vitrine {
 namespace {
 
-constexpr std::size_t kReach = 5, kWindow = 2 * kReach + 1;
+constexpr int kReach = 5, kWindow = 2 * kReach + 1;
 
-std::array<double, kWindow> gaussian_window() {
+/// Weights of the middle of a window, and of its neighbours on either side.
+std::array<float, kReach + 1> gaussian_window() {
   constexpr double sigma = 1.5;
-  std::array<double, kWindow> weights;
+  std::array<double, kReach + 1> weights;
   double sum = 0;
-  for (std::size_t i = 0; i < kWindow; ++i) {
-    double const x = double(i) - double(kReach);
-    sum += weights[i] = std::exp(-x * x / (2 * sigma * sigma));
-  }
-  for (double& w : weights) w /= sum;
-  return weights;
+  for (int i = 0; i <= kReach; ++i) sum += (i > 0 ? 2 : 1) * (weights[i] = std::exp(-i * i / (2 * sigma * sigma)));
+  std::array<float, kReach + 1> scaled{1};
+  for (int i = 1; i <= kReach; ++i) scaled[0] -= 2 * (scaled[i] = float(weights[i] / sum));
+  return scaled;
 }
 
-/// A square of numbers, row by row.
-struct Plane {
-  std::size_t side;
-  std::vector<double> values;
+std::array<float, kReach + 1> const kWeights = gaussian_window();
 
-  explicit Plane(std::size_t of) : side(of), values(of * of) {}
+/// Weighted means of `count` windows along rows (stride 1) or across them; `from`: the middle of the first.
+void window_means(float const* from, std::ptrdiff_t stride, int count, float* means) {
+  std::array<float, kReach + 1> const w = kWeights;
+  for (int x = 0; x < count; ++x, ++from) {
+    float mean = w[0] * from[0];
+    for (int k = 1; k <= kReach; ++k) mean += w[k] * (from[-k * stride] + from[k * stride]);
+    means[x] = mean;
+  }
+}
+
+/// A rectangle of numbers, row by row.
+struct Plane {
+  int width, height;
+  std::vector<float> values;
+
+  Plane(int w, int h) : width(w), height(h), values(std::size_t(w) * std::size_t(h)) {}
+  float* row(int y) { return values.data() + std::ptrdiff_t(y) * width; }
+  float const* row(int y) const { return values.data() + std::ptrdiff_t(y) * width; }
 };
 
-Plane luminance(Image const& image) {
-  Plane plane(static_cast<std::size_t>(image.width));
-  for (std::size_t i = 0; i < plane.values.size(); ++i) {
-    std::uint8_t const* p = &image.texels[4 * i];
-    plane.values[i] = (0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / 255;
-  }
-  return plane;
-}
-
-Plane product(Plane const& a, Plane const& b) {
-  Plane plane(a.side);
-  std::transform(a.values.begin(), a.values.end(), b.values.begin(), plane.values.begin(), std::multiplies<>());
-  return plane;
-}
-
-/// Weighted means over the windows that lie wholly inside.
+/// Over all windows that lie wholly inside.
 Plane window_means(Plane const& plane) {
-  static std::array<double, kWindow> const weights = gaussian_window();
-  std::size_t const side = plane.side, inner = side - 2 * kReach;
-  std::vector<double> rows(side * inner);
-  for (std::size_t y = 0; y < side; ++y)
-    for (std::size_t k = 0; k < kWindow; ++k)
-      for (std::size_t x = 0; x < inner; ++x) rows[y * inner + x] += weights[k] * plane.values[y * side + x + k];
-  Plane means(inner);
-  for (std::size_t y = 0; y < inner; ++y)
-    for (std::size_t k = 0; k < kWindow; ++k)
-      for (std::size_t x = 0; x < inner; ++x) means.values[y * inner + x] += weights[k] * rows[(y + k) * inner + x];
+  Plane along(plane.width - 2 * kReach, plane.height), means(along.width, plane.height - 2 * kReach);
+  for (int y = 0; y < along.height; ++y) window_means(plane.row(y) + kReach, 1, along.width, along.row(y));
+  for (int y = 0; y < means.height; ++y) window_means(along.row(y + kReach), along.width, means.width, means.row(y));
   return means;
 }
 
-/// Structural similarity of each whole window.
-Plane similarity(Plane const& a, Plane const& b) {
-  constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
-  Plane const mean_a = window_means(a), mean_b = window_means(b);
-  Plane const mean_aa = window_means(product(a, a)), mean_bb = window_means(product(b, b));
-  Plane const mean_ab = window_means(product(a, b));
-  Plane map(mean_a.side);
+/// Columns and rows from the first to before the end.
+struct Rectangle {
+  int left, top, right, bottom;
+
+  bool empty() const { return left >= right; }
+};
+
+/// What windows need of two luminances a and b, less one half: floats keep more of what varies.
+struct Moments {
+  Plane a, b, squares, product;
+
+  Moments(Image const& p, Image const& q, Rectangle const& part)
+      : a(part.right - part.left, part.bottom - part.top), b(a), squares(a), product(a) {
+    for (int y = 0; y < a.height; ++y) {
+      std::size_t const first = std::size_t(part.top + y) * std::size_t(p.width) + std::size_t(part.left);
+      luminances(&p.texels[4 * first], a.width, a.row(y));
+      luminances(&q.texels[4 * first], b.width, b.row(y));
+    }
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+      squares.values[i] = a.values[i] * a.values[i] + b.values[i] * b.values[i];
+      product.values[i] = a.values[i] * b.values[i];
+    }
+  }
+
+  static void luminances(std::uint8_t const* texel, int count, float* values) {
+    for (int x = 0; x < count; ++x, texel += 4)
+      values[x] = float(299 * texel[0] + 587 * texel[1] + 114 * texel[2] - 127500) / 255000;
+  }
+};
+
+/// Structural similarity of each whole window of a part.
+Plane similarity(Image const& p, Image const& q, Rectangle const& part) {
+  constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
+  Moments const moments(p, q, part);
+  Plane const mean_a = window_means(moments.a), mean_b = window_means(moments.b);
+  Plane const mean_squares = window_means(moments.squares), mean_product = window_means(moments.product);
+  Plane map(mean_a.width, mean_a.height);
   for (std::size_t i = 0; i < map.values.size(); ++i) {
-    double const ma = mean_a.values[i], mb = mean_b.values[i];
-    double const squares = ma * ma + mb * mb;
-    double const variances = mean_aa.values[i] + mean_bb.values[i] - squares;
-    double const covariance = mean_ab.values[i] - ma * mb;
-    map.values[i] = (2 * ma * mb + c1) * (2 * covariance + c2) / ((squares + c1) * (variances + c2));
+    float const ma = mean_a.values[i], mb = mean_b.values[i];
+    float const variances = mean_squares.values[i] - (ma * ma + mb * mb);
+    float const covariance = mean_product.values[i] - ma * mb;
+    float const la = ma + 0.5f, lb = mb + 0.5f;
+    map.values[i] =
+        (2 * la * lb + c1) * (2 * covariance + c2) / ((la * la + lb * lb + c1) * (variances + c2));
   }
   return map;
 }
@@ -87,20 +109,23 @@ double psnr(double mse) {
   return mse > 0 ? std::min(most, -10 * std::log10(mse)) : most;
 }
 
-/// Error and overlap, pixel by pixel; which pixels are foreground.
-std::vector<bool> compare_pixels(Image const& a, Image const& b, Difference& result) {
+/// Whether the object covers any of a pixel in either picture.
+using Foreground = std::vector<std::uint8_t>;
+
+/// Error and overlap, pixel by pixel.
+Foreground compare_pixels(Image const& a, Image const& b, Difference& result) {
   std::size_t const pixels = a.texels.size() / 4;
-  std::vector<bool> foreground(pixels);
+  Foreground foreground(pixels);
   std::uint64_t all = 0, inside = 0, covered = 0, smaller = 0, larger = 0;
   for (std::size_t i = 0; i < pixels; ++i) {
     std::uint8_t const *p = &a.texels[4 * i], *q = &b.texels[4 * i];
-    std::uint64_t error = 0;
-    for (int k = 0; k < 3; ++k) error += static_cast<std::uint64_t>((p[k] - q[k]) * (p[k] - q[k]));
-    all += error;
+    int error = 0;
+    for (int k = 0; k < 3; ++k) error += (p[k] - q[k]) * (p[k] - q[k]);
+    all += static_cast<std::uint64_t>(error);
     smaller += std::min(p[3], q[3]);
     larger += std::max(p[3], q[3]);
-    foreground[i] = p[3] != 0 || q[3] != 0;
-    if (foreground[i]) inside += error, ++covered;
+    foreground[i] = (p[3] | q[3]) != 0;
+    if (foreground[i]) inside += static_cast<std::uint64_t>(error), ++covered;
   }
   constexpr double unit = 1e4 / (3.0 * 255 * 255);
   result.mse1e4 = unit * double(all) / double(pixels);
@@ -110,18 +135,44 @@ std::vector<bool> compare_pixels(Image const& a, Image const& b, Difference& res
   return foreground;
 }
 
-void compare_structure(Image const& a, Image const& b, std::vector<bool> const& foreground, Difference& result) {
-  Plane const map = similarity(luminance(a), luminance(b));
-  std::size_t const side = static_cast<std::size_t>(a.width);
-  double all = 0, inside = 0;
-  std::size_t windows = 0;
-  for (std::size_t y = 0, i = 0; y < map.side; ++y)
-    for (std::size_t x = 0; x < map.side; ++x, ++i) {
-      all += map.values[i];
-      if (foreground[(y + kReach) * side + x + kReach]) inside += map.values[i], ++windows;
-    }
-  result.ssim = all / double(map.values.size());
-  result.foreground_ssim = windows > 0 ? inside / double(windows) : 1;
+/// The part that holds all windows with a difference in them: elsewhere the similarity is 1.
+Rectangle differing(Image const& a, Image const& b) {
+  int const side = a.width, row_bytes = 4 * side;
+  Rectangle found{side, side, 0, 0};
+  for (int y = 0; y < side; ++y) {
+    std::uint8_t const *p = &a.texels[std::size_t(y) * row_bytes], *q = &b.texels[std::size_t(y) * row_bytes];
+    auto const [first, other] = std::mismatch(p, p + row_bytes, q);
+    if (first == p + row_bytes) continue;
+    int last = row_bytes - 1;
+    while (p[last] == q[last]) --last;
+    found.left = std::min(found.left, int(first - p) / 4), found.right = std::max(found.right, last / 4 + 1);
+    found.top = std::min(found.top, y), found.bottom = y + 1;
+  }
+  if (found.empty()) return found;
+  constexpr int grown = 2 * kReach;  // a window's middle may lie its reach away, and it reaches as far beyond
+  return {std::max(found.left - grown, 0), std::max(found.top - grown, 0), std::min(found.right + grown, side),
+          std::min(found.bottom + grown, side)};
+}
+
+void compare_structure(Image const& a, Image const& b, Foreground const& foreground, Difference& result) {
+  int const side = a.width, windows = side - 2 * kReach;
+  std::size_t inside = 0;
+  for (int y = kReach; y < side - kReach; ++y)
+    for (int x = kReach; x < side - kReach; ++x) inside += foreground[std::size_t(y) * std::size_t(side) + std::size_t(x)];
+  double lost = 0, lost_inside = 0;
+  Rectangle const part = differing(a, b);
+  if (!part.empty()) {
+    Plane const map = similarity(a, b, part);
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+        double const loss = 1 - double(map.row(y)[x]);
+        std::size_t const middle = std::size_t(part.top + kReach + y) * std::size_t(side) + std::size_t(part.left + kReach + x);
+        lost += loss;
+        lost_inside += foreground[middle] ? loss : 0;
+      }
+  }
+  result.ssim = 1 - lost / (double(windows) * double(windows));
+  result.foreground_ssim = inside > 0 ? 1 - lost_inside / double(inside) : 1;
 }
 
 std::string shape(Image const& image) {
@@ -132,7 +183,7 @@ void require_alike(Image const& a, Image const& b) {
   if (shape(a) != shape(b))
     throw Error(ErrorKind::invalid_input, "a picture of " + shape(a) + " is compared with one of " + shape(b),
                 "draw both at the same size");
-  if (a.width != a.height || a.channels != 4 || a.width < int(kWindow))
+  if (a.width != a.height || a.channels != 4 || a.width < kWindow)
     throw Error(ErrorKind::invalid_input,
                 "a picture of " + shape(a) + " is compared, not a square of 11 x 11 x 4 or more",
                 "draw at a larger size");
