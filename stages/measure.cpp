@@ -17,13 +17,14 @@ Reference reference(SurveyedModel const& original, MeasureOptions const& options
   Reference made{options, bounding_sphere(*original.model), {}, {}, has_colour(*original.model)};
   for (V3d const& direction : directions(options.views, options.count))
     made.cameras.push_back(camera(made.sphere, direction));
-  made.pictures = render(original, made.cameras, {options.size, options.light, !made.coloured});
+  made.pictures = render(original, made.cameras, {options.size, options.light, !made.coloured, options.supersample});
   return made;
 }
 
 std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original) {
   bool const grey = !original.coloured && !painted(*thumbnail.model);
-  return render(thumbnail, original.cameras, {original.options.size, original.options.light, grey});
+  MeasureOptions const& options = original.options;
+  return render(thumbnail, original.cameras, {options.size, options.light, grey, options.supersample});
 }
 
 }  // namespace vitrine

@@ -12,13 +12,15 @@ struct MeasureOptions {
   int count = 32;
   int size = 200;
   Light light = Light::head;
+  int supersample = 4;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.views, Field{"views", "", "from where both are looked at"});
     visit(self.count, Field{"count", "views", "how many", 1, 1024});
-    visit(self.size, Field{"size", "pixels", "side of a picture; drawn four times larger, then reduced", 11, 1024});
+    visit(self.size, Field{"size", "pixels", "side of a picture", 11, 1024});
     visit(self.light, Field{"light", "", "from the camera, or from its upper left"});
+    visit(self.supersample, Field{"supersample", "", "pictures are drawn so many times larger, then reduced", 1, 4});
   }
 };
 

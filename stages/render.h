@@ -19,17 +19,19 @@ struct EnumNames<Light> {
 };
 
 struct PictureOptions {
-  int size = 200;  ///< pixels of the square's side; drawn four times larger, then reduced
+  int size = 200;  ///< pixels of the square's side
   Light light = Light::head;
   bool grey = false;  ///< linear 0.5 in place of the base colour: how an object without any colour is drawn
+  int supersample = 4;  ///< drawn so many times larger, then reduced; at most 8
 };
 
-/// One picture for each camera: RGBA, on white, sRGB; alpha is the share of the pixel's 16 samples that the object
-/// covers. One ray through the middle of each sample, rounded to bytes, then 4 x 4 averaged over the byte values: so
-/// the paper reduced 800 x 800 screenshots to 200 x 200. Both sides of a surface are drawn; what cuts out lets the ray
-/// pass, what blends is laid over what lies behind it. In:     `model` need not be clean (a thumbnail is drawn as it
-/// is): without normals it is drawn flat. Cost:   one picture each in memory, all views in parallel; the same bytes at
-/// any thread count.
+/// One picture for each camera: RGBA, on white, sRGB; alpha is the share of the pixel's samples that the object covers.
+/// One sample in the middle of each cell, rounded to bytes, then averaged over the byte values: so the paper reduced
+/// 800 x 800 screenshots to 200 x 200. Both sides of a surface are drawn; what cuts out lets the sight pass, what blends
+/// is laid over what lies behind it.
+/// In:     `model` need not be clean (a thumbnail is drawn as it is): without normals it is drawn flat.
+/// Cost:   all views in parallel; the same bytes at any thread count. Opaque models of up to a million faces go through a
+///         depth buffer, the others through rays.
 std::vector<Image> render(SurveyedModel const& model, std::vector<Camera> const& cameras,
                           PictureOptions const& options);
 

@@ -107,8 +107,11 @@ Json camera_json(Camera const& camera, V3d const& target) {
 
 Json measure_json(Reference const& reference, Comparison const& comparison) {
   MeasureOptions const& options = reference.options;
-  Json measure = {
-      {"set", shown(options.views)}, {"views", options.count}, {"size", options.size}, {"light", shown(options.light)}};
+  Json measure = {{"set", shown(options.views)},
+                  {"views", options.count},
+                  {"size", options.size},
+                  {"supersample", options.supersample},
+                  {"light", shown(options.light)}};
   measure.update(to_json(comparison.mean));
   measure["psnrOfMeanMse"] = comparison.psnr_of_mean_mse;
   measure["worstMse1e4"] = comparison.views[comparison.worst].mse1e4;

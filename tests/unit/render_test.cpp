@@ -143,6 +143,27 @@ TEST(Render, ADistantTextureIsItsMean) {
   EXPECT_NEAR(middle(picture(model))[0], srgb_byte(0.5f), 1);
 }
 
+TEST(Render, RaysAndTheDepthBufferShowTheSame) {
+  SourceModel model = clean(test::painted_model(test::torus(64, 32))).model;
+  Camera const from = camera(bounding_sphere(model), directions(ViewSet::sphere, 5)[3]);
+  Image const drawn = picture(model, from);
+  model.materials[0].alpha = AlphaMode::blend;  // whose layers take rays
+  EXPECT_LT(compare(drawn, picture(model, from)).mse1e4, 0.02);
+}
+
+TEST(Render, FewerSamplesPerPixelAreRougherOnly) {
+  SourceModel const model = clean(test::painted_model(test::torus())).model;
+  Camera const from = camera(bounding_sphere(model), directions(ViewSet::sphere, 5)[3]);
+  for (AlphaMode alpha : {AlphaMode::opaque, AlphaMode::blend})
+    for (int supersample : {1, 2, 3}) {
+      SourceModel same = model;
+      same.materials[0].alpha = alpha;
+      PictureOptions rough = kSmall;
+      rough.supersample = supersample;
+      EXPECT_LT(compare(picture(model, from), picture(same, from, rough)).mse1e4, 60 / (supersample * supersample));
+    }
+}
+
 TEST(Render, ThreadsDoNotChangeABit) {
   SurveyedModel const model = surveyed(clean(test::painted_model(test::bumpy_sphere(40, 20))).model);
   std::vector<Camera> cameras;

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/depth_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+constexpr int kGridBits = 8, kGrid = 1 << kGridBits;
+constexpr float kBeside = 4;  ///< a vertex may lie this many pictures beside it: products of edges stay below 2^60
+
+std::int32_t on_grid(float samples) {
+  return static_cast<std::int32_t>(samples * kGrid + (samples < 0 ? -0.5f : 0.5f));
+}
+
+/// The first and the last sample between two places on the grid.
+int first_sample(std::int32_t low) { return (low + kGrid - 1) >> kGridBits; }
+int last_sample(std::int32_t high) { return high >> kGridBits; }
+
+/// Twice the area of a triangle, on one side of an edge positive: linear in the place of its third corner.
+struct Edge {
+  std::int64_t at, per_column, per_row;
+
+  template <class Corner>
+  Edge(Corner const& from, Corner const& to, int column, int row) {
+    std::int64_t const dx = to.x - from.x, dy = to.y - from.y;
+    at = dx * ((std::int64_t{row} << kGridBits) - from.y) - dy * ((std::int64_t{column} << kGridBits) - from.x);
+    per_column = -dy * kGrid;
+    per_row = dx * kGrid;
+  }
+};
+
+}  // namespace
+
+Lens::Lens(Camera const& camera, V3d const& origin, int of)
+    : eye(camera.eye - origin), forward(camera.forward), near(float(camera.near)), far(float(camera.far)), side(of) {
+  double const step = 2.0 / of;
+  right = V3f(through(camera, step, 0) - camera.forward);
+  up = V3f(through(camera, 0, step) - camera.forward);
+  top_left = V3f(through(camera, step / 2 - 1, 1 - step / 2));
+}
+
+DepthBuffer::DepthBuffer(int side)
+    : side_(side), samples_(std::make_unique_for_overwrite<Sample[]>(std::size_t(side) * std::size_t(side))) {}
+
+bool DepthBuffer::draw(TriMesh const& mesh, Lens const& lens) {
+  if (!project(mesh, lens)) return false;
+  clear();
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    Triangle const& t = mesh.triangles[f];
+    draw(static_cast<std::uint32_t>(f), corners_[t[0]], corners_[t[1]], corners_[t[2]]);
+  }
+  return true;
+}
+
+bool DepthBuffer::project(TriMesh const& mesh, Lens const& lens) {
+  V3f const per_column = lens.right / lens.right.length2(), per_row = lens.up / -lens.up.length2();
+  float const column0 = -lens.top_left.dot(per_column), row0 = -lens.top_left.dot(per_row);
+  float const beside = kBeside * float(side_);
+  std::int32_t low_x = std::numeric_limits<std::int32_t>::max(), high_x = -low_x, low_y = low_x, high_y = -low_x;
+  corners_.resize(mesh.positions.size());
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    V3f const q = mesh.positions[i] - lens.eye;
+    float const depth = q.dot(lens.forward), nearness = 1 / depth;
+    float const column = q.dot(per_column) * nearness + column0, row = q.dot(per_row) * nearness + row0;
+    if (!(depth >= lens.near && depth <= lens.far && std::abs(column) < beside && std::abs(row) < beside)) return false;
+    corners_[i] = {on_grid(column), on_grid(row), nearness};
+    low_x = std::min(low_x, corners_[i].x), high_x = std::max(high_x, corners_[i].x);
+    low_y = std::min(low_y, corners_[i].y), high_y = std::max(high_y, corners_[i].y);
+  }
+  left_ = std::max(first_sample(low_x), 0), right_ = std::min(last_sample(high_x), side_ - 1);
+  top_ = std::max(first_sample(low_y), 0), bottom_ = std::min(last_sample(high_y), side_ - 1);
+  return true;
+}
+
+void DepthBuffer::clear() {
+  if (right_ < left_) return;
+  for (int row = top_; row <= bottom_; ++row)
+    std::fill_n(&samples_[std::size_t(row) * std::size_t(side_) + std::size_t(left_)], right_ - left_ + 1,
+                Sample{0, kNothing});
+}
+
+void DepthBuffer::draw(std::uint32_t id, Corner const& a, Corner b, Corner c) {
+  int const left = std::max(first_sample(std::min({a.x, b.x, c.x})), 0);
+  int const right = std::min(last_sample(std::max({a.x, b.x, c.x})), side_ - 1);
+  if (left > right) return;
+  int const top = std::max(first_sample(std::min({a.y, b.y, c.y})), 0);
+  int const bottom = std::min(last_sample(std::max({a.y, b.y, c.y})), side_ - 1);
+  if (top > bottom) return;
+  std::int64_t area = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+  if (area == 0) return;
+  if (area < 0) std::swap(b, c), area = -area;
+  Edge across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
+  float const per_b = (b.nearness - a.nearness) / float(area), per_c = (c.nearness - a.nearness) / float(area);
+  for (int row = top; row <= bottom; ++row) {
+    Sample* const samples = &samples_[std::size_t(row) * std::size_t(side_)];
+    std::int64_t ea = across_a.at, eb = across_b.at, ec = across_c.at;
+    for (int column = left; column <= right; ++column) {
+      if ((ea | eb | ec) >= 0) {
+        float const nearness = a.nearness + per_b * float(eb) + per_c * float(ec);
+        if (nearness >= samples[column].nearness) samples[column] = {nearness, id};
+      }
+      ea += across_a.per_column, eb += across_b.per_column, ec += across_c.per_column;
+    }
+    across_a.at += across_a.per_row, across_b.at += across_b.per_row, across_c.at += across_c.per_row;
+  }
+}
+
+}  // namespace vitrine
