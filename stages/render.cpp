@@ -21,6 +21,51 @@ constexpr std::size_t kMostFaces = std::size_t{1} << 20;  ///< beyond, a ray fin
 using Texel = std::array<std::uint8_t, 4>;
 constexpr Texel kNothing{255, 255, 255, 0};
 
+/// A face before the eye: the place where a ray of direction d meets it is (d.u, d.v) / d.across.
+struct SeenFace {
+  Facet facet;
+  V3f across, u, v;
+
+  SeenFace() = default;
+  SeenFace(Facet const& of, V3f const& eye) : facet(of) {
+    auto const& p = facet.corners;
+    V3f const b = p[1] - p[0], c = p[2] - p[0], from_first = eye - p[0];
+    across = b.cross(c), u = from_first.cross(c), v = b.cross(from_first);
+  }
+
+  /// Within the face also where the ray passes by, by what the depth buffer rounds.
+  Barycentric at(V3f const& direction, float slope) const {
+    float const place_u = direction.dot(u) / slope, place_v = direction.dot(v) / slope;
+    if (place_u >= 0 && place_v >= 0 && place_u + place_v <= 1) return {place_u, place_v};
+    auto const share = [](float place) { return place > 0 ? std::min(place, 1.f) : 0; };
+    float const share_u = share(place_u);
+    return {share_u, std::min(share(place_v), 1 - share_u)};
+  }
+
+  /// By how much the place moves with the direction.
+  Barycentric moved(Barycentric const& at, float slope, V3f const& step) const {
+    float const moved_slope = step.dot(across);
+    return {(step.dot(u) - at.u * moved_slope) / slope, (step.dot(v) - at.v * moved_slope) / slope};
+  }
+};
+
+/// The faces seen last, by the low bits of their number.
+class SeenFaces {
+ public:
+  SeenFaces(Surface const& surface, V3f const& eye) : surface_(surface), eye_(eye) {}
+
+  SeenFace const& operator[](std::uint32_t face) {
+    SeenFace& seen = faces_[face % faces_.size()];
+    if (seen.facet.face != face) seen = {surface_.facet(face), eye_};
+    return seen;
+  }
+
+ private:
+  Surface const& surface_;
+  V3f eye_;
+  std::array<SeenFace, 64> faces_;
+};
+
 /// Draws one view of one model.
 class Painter {
  public:
@@ -49,16 +94,50 @@ class Painter {
   void draw_faces(DepthBuffer const& buffer, Image& picture) const {
     if (buffer.right() < buffer.left() || buffer.bottom() < buffer.top()) return;
     int const n = options_.supersample, top = buffer.top() / n, left = buffer.left() / n;
-    parallel_for(std::size_t(buffer.bottom() / n - top + 1), 16, [&](std::size_t row) {
-      for (int x = left, y = top + int(row); x <= buffer.right() / n; ++x)
-        put(picture, x, y, [&](int column, int line, Shading const& shading) {
-          std::uint32_t const face = buffer.face(column, line);
-          if (face == DepthBuffer::kNothing) return kNothing;
-          V3f const direction = lens_.direction(float(column), float(line));
-          Layer const seen = look(direction, on_face(face, direction), shading);
-          return Texel{seen.bytes[0], seen.bytes[1], seen.bytes[2], 255};
-        });
+    parallel_blocks(std::size_t(buffer.bottom() / n - top + 1), 16, [&](std::size_t begin, std::size_t end) {
+      SeenFaces faces(model_.surface, lens_.eye);
+      for (std::size_t row = begin; row < end; ++row)
+        for (int x = left, y = top + int(row); x <= buffer.right() / n; ++x) draw_pixel(picture, x, y, buffer, faces);
     });
+  }
+
+  /// The mean of a pixel's samples, which are lit side by side.
+  void draw_pixel(Image& picture, int x, int y, DepthBuffer const& buffer, SeenFaces& faces) const {
+    int const n = options_.supersample;
+    Samples samples;
+    std::size_t covered = 0;
+    for (int i = 0; i < n * n; ++i) {
+      int const column = n * x + i % n, row = n * y + i / n;
+      std::uint32_t const face = buffer.face(column, row);
+      if (face == DepthBuffer::kNothing) continue;
+      add(faces[face], lens_.direction(float(column), float(row)), samples, covered++);
+    }
+    if (covered == 0) return;
+    shading_at(x, y)(samples);
+    std::array<int, 4> sums;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sums[k] = 255 * (n * n - int(covered));
+      for (std::size_t i = 0; i < covered; ++i) sums[k] += srgb_byte(samples.colour[k][i]);
+    }
+    sums[3] = 255 * int(covered);
+    put(picture, x, y, sums);
+  }
+
+  void add(SeenFace const& seen, V3f const& direction, Samples& samples, std::size_t i) const {
+    float const slope = direction.dot(seen.across);
+    Barycentric const at = seen.at(direction, slope);
+    SurfaceSample const surface = sample(seen, at, slope);
+    for (int k = 0; k < 3; ++k) {
+      samples.colour[k][i] = options_.grey ? kGrey : surface.colour[k];
+      samples.normal[k][i] = slope > 0 ? -surface.normal[k] : surface.normal[k];
+    }
+    samples.lit[i] = seen.facet.material->unlit ? 0 : 1;
+  }
+
+  SurfaceSample sample(SeenFace const& seen, Barycentric const& at, float slope) const {
+    std::array<Barycentric, 2> steps;
+    if (seen.facet.mapped) steps = {seen.moved(at, slope, lens_.right), seen.moved(at, slope, lens_.up)};
+    return model_.surface.sample(seen.facet, at, steps);
   }
 
   /// Packets of rays, each for a square of pixels.
@@ -72,42 +151,31 @@ class Painter {
           rays[i] = {lens_.eye, lens_.direction(float(left * n + i % side), float(top * n + i / side)), lens_.near, lens_.far};
         auto const hits = model_.scene.first_hits(rays);
         for (int y = top; y < std::min(top + tile, options_.size); ++y)
-          for (int x = left; x < std::min(left + tile, options_.size); ++x)
-            put(picture, x, y, [&](int column, int line, Shading const& shading) {
-              std::size_t const i = std::size_t((line - top * n) * side + column - left * n);
-              return hits[i] ? layers(rays[i], *hits[i], shading) : kNothing;
-            });
+          for (int x = left; x < std::min(left + tile, options_.size); ++x) {
+            Shading const shading = shading_at(x, y);
+            std::array<int, 4> sums{};
+            for (int i = 0; i < n * n; ++i) {
+              std::size_t const ray = std::size_t(((y - top) * n + i / n) * side + (x - left) * n + i % n);
+              Texel const texel = hits[ray] ? layers(rays[ray], *hits[ray], shading) : kNothing;
+              for (std::size_t k = 0; k < 4; ++k) sums[k] += texel[k];
+            }
+            put(picture, x, y, sums);
+          }
       }
     });
   }
 
-  /// The mean of a pixel's samples, all seen along the line through its middle.
-  template <class SampleAt>
-  void put(Image& picture, int x, int y, SampleAt const& sample_at) const {
-    int const n = options_.supersample, samples = n * n;
+  /// All samples of a pixel are seen along the line through its middle.
+  Shading shading_at(int x, int y) const {
+    int const n = options_.supersample;
     float const middle = float(n - 1) / 2;
-    Shading const shading(-lens_.direction(float(n * x) + middle, float(n * y) + middle).normalized(), to_light_);
-    std::array<int, 4> sums{};
-    for (int i = 0; i < samples; ++i) {
-      Texel const texel = sample_at(n * x + i % n, n * y + i / n, shading);
-      for (std::size_t k = 0; k < 4; ++k) sums[k] += texel[k];
-    }
-    std::uint8_t* const pixel = &picture.texels[4 * (std::size_t(y) * std::size_t(options_.size) + std::size_t(x))];
-    for (std::size_t k = 0; k < 4; ++k) pixel[k] = static_cast<std::uint8_t>((sums[k] + samples / 2) / samples);
+    return {-lens_.direction(float(n * x) + middle, float(n * y) + middle).normalized(), to_light_};
   }
 
-  /// Where the ray meets the face, or where it passes by within the rounding of the depth buffer.
-  Hit on_face(std::uint32_t face, V3f const& direction) const {
-    TriMesh const& mesh = model_.model->mesh;
-    Triangle const& t = mesh.triangles[face];
-    V3f const a = mesh.positions[t[0]], b = mesh.positions[t[1]] - a, c = mesh.positions[t[2]] - a;
-    V3f const normal = b.cross(c), from_a = lens_.eye - a;
-    float const slope = direction.dot(normal), distance = slope != 0 ? -from_a.dot(normal) / slope : 0;
-    V3f const p = from_a + direction * distance;
-    float const area = normal.length2(), u = p.cross(c).dot(normal) / area, v = b.cross(p).dot(normal) / area;
-    if (u >= 0 && v >= 0 && u + v <= 1) return {face, u, v, distance};
-    Barycentric const near = closest_on_triangle(p, b, c);
-    return {face, near.u, near.v, distance};
+  void put(Image& picture, int x, int y, std::array<int, 4> const& sums) const {
+    int const samples = options_.supersample * options_.supersample;
+    std::uint8_t* const pixel = &picture.texels[4 * (std::size_t(y) * std::size_t(options_.size) + std::size_t(x))];
+    for (std::size_t k = 0; k < 4; ++k) pixel[k] = static_cast<std::uint8_t>((sums[k] + samples / 2) / samples);
   }
 
   /// What the ray shows from its first hit on: front to back, on white, in the client's encoded values.
@@ -136,25 +204,13 @@ class Painter {
   };
 
   Layer look(V3f const& direction, Hit const& hit, Shading const& shading) const {
-    SourceModel const& source = *model_.model;
-    Triangle const& face = source.mesh.triangles[hit.face];
-    V3f const a = source.mesh.positions[face[0]];
-    V3f const normal = (source.mesh.positions[face[1]] - a).cross(source.mesh.positions[face[2]] - a);
-    float const slope = direction.dot(normal);
-    SurfaceSample const surface = model_.surface.sample(hit, footprint(direction, hit, normal, slope));
+    SeenFace const seen(model_.surface.facet(hit.face), lens_.eye);
+    float const slope = direction.dot(seen.across);
+    SurfaceSample const surface = sample(seen, {hit.u, hit.v}, slope);
     V3f const base = options_.grey ? V3f(kGrey) : V3f(surface.colour[0], surface.colour[1], surface.colour[2]);
-    std::size_t const material = source.face_materials.empty() ? 0 : source.face_materials[hit.face];
     V3f const light =
-        source.materials[material].unlit ? base : shading(base, slope > 0 ? -surface.normal : surface.normal);
-    return {srgb_bytes(light), surface.colour[3]};
-  }
-
-  /// How far the hit moves on its face from this sample to the next one to the right, and to the one above.
-  std::array<V3f, 2> footprint(V3f const& direction, Hit const& hit, V3f const& normal, float slope) const {
-    auto const moved = [&](V3f const& step) {
-      return (step - direction * (step.dot(normal) / slope)) * hit.distance;
-    };
-    return {moved(lens_.right), moved(lens_.up)};
+        seen.facet.material->unlit ? base : shading(base, slope > 0 ? -surface.normal : surface.normal);
+    return {{srgb_byte(light.x), srgb_byte(light.y), srgb_byte(light.z)}, surface.colour[3]};
   }
 
   SurveyedModel const& model_;

@@ -22,7 +22,7 @@ struct PictureOptions {
   int size = 200;  ///< pixels of the square's side
   Light light = Light::head;
   bool grey = false;  ///< linear 0.5 in place of the base colour: how an object without any colour is drawn
-  int supersample = 4;  ///< drawn so many times larger, then reduced; at most 8
+  int supersample = 4;  ///< drawn so many times larger, then reduced; at most 4
 };
 
 /// One picture for each camera: RGBA, on white, sRGB; alpha is the share of the pixel's samples that the object covers.

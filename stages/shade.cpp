@@ -41,12 +41,6 @@ struct SrgbBytes {
 
 SrgbBytes const kSrgbBytes;
 
-std::uint8_t srgb_byte(float linear) {
-  float const value = linear > 0 ? std::min(linear, 1.0f) : 0.0f;  // NaN is black
-  std::size_t const guess = kSrgbBytes.guesses[static_cast<std::size_t>(value * SrgbBytes::kSteps)];
-  return static_cast<std::uint8_t>(guess + (value >= kSrgbBytes.starts[guess + 1]));
-}
-
 }  // namespace
 
 Shading::Shading(V3f const& to_eye, V3f const& to_light)
@@ -54,17 +48,38 @@ Shading::Shading(V3f const& to_eye, V3f const& to_light)
       to_light_(to_light),
       fresnel_(fresnel(std::sqrt(std::max(0.5f + 0.5f * to_eye.dot(to_light), 0.0f)))) {}
 
-V3f Shading::operator()(V3f const& base_colour, V3f const& normal) const {
-  float const dot_nl = std::max(normal.dot(to_light_), 0.0f);
-  float const dot_nv = std::clamp(normal.dot(to_eye_), 0.0f, 1.0f);
-  float const visible = 0.5f / std::max(dot_nl + dot_nv, 1e-6f);  // Smith's term at roughness 1
+inline Shading::Light Shading::light(float dot_nl, float dot_nv) const {
+  dot_nl = dot_nl > 0 ? dot_nl : 0;
+  dot_nv = dot_nv > 0 ? dot_nv : 0;
+  dot_nv = dot_nv < 1 ? dot_nv : 1;
+  float const both = dot_nl + dot_nv, visible = 0.5f / (both > 1e-6f ? both : 1e-6f);  // Smith's term at roughness 1
   float const direct = kDirectional * dot_nl;
-  float const diffuse = kAmbient * (1 - ambient_reflectance(dot_nv)) + direct * (1 - fresnel_);
-  return base_colour * diffuse + V3f(direct * fresnel_ * visible * multiple_scattering(dot_nv));
+  return {kAmbient * (1 - ambient_reflectance(dot_nv)) + direct * (1 - fresnel_),
+          direct * fresnel_ * visible * multiple_scattering(dot_nv)};
 }
 
-std::array<std::uint8_t, 3> srgb_bytes(V3f const& linear) {
-  return {srgb_byte(linear.x), srgb_byte(linear.y), srgb_byte(linear.z)};
+V3f Shading::operator()(V3f const& base_colour, V3f const& normal) const {
+  Light const falls = light(normal.dot(to_light_), normal.dot(to_eye_));
+  return base_colour * falls.diffuse + V3f(falls.specular);
+}
+
+void Shading::operator()(Samples& samples) const {
+  auto& [r, g, b] = samples.colour;
+  auto const& [x, y, z] = samples.normal;
+  for (std::size_t i = 0; i < Samples::kMost; ++i) {
+    Light const falls = light(x[i] * to_light_.x + y[i] * to_light_.y + z[i] * to_light_.z,
+                              x[i] * to_eye_.x + y[i] * to_eye_.y + z[i] * to_eye_.z);
+    float const lit = samples.lit[i], diffuse = lit * falls.diffuse + (1 - lit), specular = lit * falls.specular;
+    r[i] = r[i] * diffuse + specular;
+    g[i] = g[i] * diffuse + specular;
+    b[i] = b[i] * diffuse + specular;
+  }
+}
+
+std::uint8_t srgb_byte(float linear) {
+  float const value = linear > 0 ? std::min(linear, 1.0f) : 0.0f;  // NaN is black
+  std::size_t const guess = kSrgbBytes.guesses[static_cast<std::size_t>(value * SrgbBytes::kSteps)];
+  return static_cast<std::uint8_t>(guess + (value >= kSrgbBytes.starts[guess + 1]));
 }
 
 }  // namespace vitrine

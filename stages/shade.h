@@ -7,6 +7,15 @@
 
 namespace vitrine {
 
+/// Points of surfaces side by side, so that the processor lights several at a time. Unused ones are black.
+struct Samples {
+  static constexpr std::size_t kMost = 16;
+  using Row = std::array<float, kMost>;
+  std::array<Row, 3> colour{};  ///< linear base colour; then radiance
+  std::array<Row, 3> normal{};  ///< unit, turned to the side that is seen
+  Row lit{};                    ///< 1, or 0 where the colour is shown as it is
+};
+
 /// One direction of sight under one light: what does not depend on the surface is computed once.
 /// Source: the shader chunks lights_physical and bsdfs of three.js; the terms that it tabulates are polynomials here,
 /// within 0.0034 of its table.
@@ -18,13 +27,19 @@ class Shading {
   /// Linear radiance: ambient 0.25 and directional 0.7 of the base colour, less what the specular lobe (GGX, F0 0.04)
   /// takes from the diffuse one. `normal`: unit, turned to the side that is seen.
   V3f operator()(V3f const& base_colour, V3f const& normal) const;
+  void operator()(Samples& samples) const;
 
  private:
+  struct Light {
+    float diffuse, specular;  ///< share of the base colour; white
+  };
+  Light light(float dot_nl, float dot_nv) const;
+
   V3f to_eye_, to_light_;
   float fresnel_;
 };
 
-/// The bytes that a client writes for a linear colour: sRGB encoded, clamped, rounded.
-std::array<std::uint8_t, 3> srgb_bytes(V3f const& linear);
+/// The byte that a client writes for a linear value: sRGB encoded, clamped, rounded.
+std::uint8_t srgb_byte(float linear);
 
 }  // namespace vitrine

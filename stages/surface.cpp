@@ -93,21 +93,41 @@ struct Surface::Impl {
     return uvs;
   }
 
-  V3f vertex_normal(std::uint32_t face, std::array<V3f, 3> const& p, Barycentric const& at) const {
-    if (!model.normals.empty()) {
-      auto const n = corners(model.normals, face);
-      V3f const normal = interpolate(n[0], n[1], n[2], at);
-      if (normal.length2() > 0) return normal.normalized();
-    }
-    return (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+  Facet facet(std::uint32_t face) const {
+    Facet made;
+    made.face = face;
+    made.material = &material_of(face);
+    made.corners = corners(model.mesh.positions, face);
+    made.across = (made.corners[1] - made.corners[0]).cross(made.corners[2] - made.corners[0]).normalized();
+    made.smooth = !model.normals.empty();
+    if (made.smooth) made.normals = from_first(corners(model.normals, face));
+    made.colours = {made.material->base_colour, Rgba{}, Rgba{}};
+    if (!model.colours.empty()) made.colours = vertex_colours(face, made.material->base_colour);
+    bool const coloured = !model.uvs.empty() && made.material->colour_map.image >= 0;
+    if (coloured) made.colour_uvs = corner_uvs(made.material->colour_map, face);
+    made.mapped = coloured || (!model.uvs.empty() && made.material->normal_map.image >= 0);
+    return made;
   }
 
-  Rgba vertex_colour(std::uint32_t face, Barycentric const& at) const {
-    auto const c = corners(model.colours, face);
-    Rgba const a = to_float(c[0]), b = to_float(c[1]), d = to_float(c[2]);
-    Rgba mixed;
-    for (int k = 0; k < 4; ++k) mixed[k] = a[k] * (1 - at.u - at.v) + b[k] * at.u + d[k] * at.v;
-    return mixed;
+  static std::array<V3f, 3> from_first(std::array<V3f, 3> const& at) { return {at[0], at[1] - at[0], at[2] - at[0]}; }
+
+  std::array<Rgba, 3> vertex_colours(std::uint32_t face, Rgba const& factor) const {
+    auto const bytes = corners(model.colours, face);
+    std::array<Rgba, 3> colours;
+    for (int k = 0; k < 4; ++k) {
+      float const scale = factor[k] * (1 / 65535.f);
+      for (int c = 0; c < 3; ++c) colours[c][k] = float(bytes[c][k] - (c > 0 ? bytes[0][k] : 0)) * scale;
+    }
+    return colours;
+  }
+
+  static V3f vertex_normal(Facet const& facet, Barycentric const& at) {
+    if (facet.smooth) {
+      V3f const normal = facet.normals[0] + facet.normals[1] * at.u + facet.normals[2] * at.v;
+      float const squared = normal.length2();
+      if (squared > 1e-30f) return normal * (1 / std::sqrt(squared));
+    }
+    return facet.across;
   }
 
   /// As clients build it: from TANGENT where the file has it, else from the surface's own derivatives.
@@ -126,33 +146,36 @@ struct Surface::Impl {
     return client_frame(p, uvs, normal);
   }
 
-  /// `texels(image, positions, uvs)`: how many texels of the image the sample's footprint is across.
+  /// `texels(image, uvs)`: how many texels of the image the sample's footprint is across.
   template <class Texels>
-  SurfaceSample sample(Hit const& hit, Texels const& texels) const {
-    Material const& material = material_of(hit.face);
-    Barycentric const at{hit.u, hit.v};
-    auto const p = corners(model.mesh.positions, hit.face);
+  SurfaceSample sample(Facet const& facet, Barycentric const& at, Texels const& texels) const {
+    SurfaceSample sample;
+    for (int k = 0; k < 4; ++k)
+      sample.colour[k] = facet.colours[0][k] + facet.colours[1][k] * at.u + facet.colours[2][k] * at.v;
+    sample.normal = vertex_normal(facet, at);
+    if (facet.mapped) add_maps(facet, at, texels, sample);
+    sample.colour[3] = coverage(*facet.material, sample.colour[3]);
+    return sample;
+  }
+
+  template <class Texels>
+  void add_maps(Facet const& facet, Barycentric const& at, Texels const& texels, SurfaceSample& sample) const {
+    Material const& material = *facet.material;
     auto const read = [&](TextureUse const& use, MipMaps const& maps, CornerUvs const& uvs) {
-      float const across = texels(model.images[use.image], p, uvs);
-      float const level = across > 1 ? std::log2(across) : 0;
+      float const squared = texels(model.images[use.image], uvs);
+      float const level = squared > 1 ? std::log2(squared) / 2 : 0;
       return maps[use.image]->sample(interpolate(uvs[0], uvs[1], uvs[2], at), level, use.wrap_u, use.wrap_v);
     };
-    SurfaceSample sample{material.base_colour, vertex_normal(hit.face, p, at)};
-    if (!model.colours.empty()) sample.colour = multiply(sample.colour, vertex_colour(hit.face, at));
-    if (!model.uvs.empty() && material.colour_map.image >= 0) {
-      CornerUvs const uvs = corner_uvs(material.colour_map, hit.face);
-      sample.colour = multiply(sample.colour, read(material.colour_map, colour_maps, uvs));
-    }
-    if (!model.uvs.empty() && material.normal_map.image >= 0) {
-      CornerUvs const uvs = corner_uvs(material.normal_map, hit.face);
+    if (material.colour_map.image >= 0)
+      sample.colour = multiply(sample.colour, read(material.colour_map, colour_maps, facet.colour_uvs));
+    if (material.normal_map.image >= 0) {
+      CornerUvs const uvs = corner_uvs(material.normal_map, facet.face);
       Rgba const texel = read(material.normal_map, normal_maps, uvs);
       V3f const scale(material.normal_scale, material.normal_scale, 1);
       V3f const m = (V3f(texel[0], texel[1], texel[2]) * 2.f - V3f(1)) * scale;
-      V3f const shown = from_tangent_space(frame(hit.face, at, p, uvs, sample.normal), m);
+      V3f const shown = from_tangent_space(frame(facet.face, at, facet.corners, uvs, sample.normal), m);
       if (shown.length2() > 0) sample.normal = shown;
     }
-    sample.colour[3] = coverage(material, sample.colour[3]);
-    return sample;
   }
 };
 
@@ -162,22 +185,24 @@ Surface::Surface(Surface&&) noexcept = default;
 Surface& Surface::operator=(Surface&&) noexcept = default;
 
 SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
-  return impl_->sample(hit, [&](Image const& image, std::array<V3f, 3> const& p, CornerUvs const& uvs) {
+  Facet const facet = impl_->facet(hit.face);
+  return impl_->sample(facet, {hit.u, hit.v}, [&](Image const& image, CornerUvs const& uvs) {
+    auto const& p = facet.corners;
     float const area = (p[1] - p[0]).cross(p[2] - p[0]).length();
     float const texels = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
-    return footprint * std::sqrt(texels / area);
+    return footprint * footprint * texels / area;
   });
 }
 
-SurfaceSample Surface::sample(Hit const& hit, std::array<V3f, 2> const& steps) const {
-  return impl_->sample(hit, [&](Image const& image, std::array<V3f, 3> const& p, CornerUvs const& uvs) {
-    V3f const b = p[1] - p[0], c = p[2] - p[0], normal = b.cross(c);
+Facet Surface::facet(std::uint32_t face) const { return impl_->facet(face); }
+
+SurfaceSample Surface::sample(Facet const& facet, Barycentric const& at,
+                              std::array<Barycentric, 2> const& steps) const {
+  return impl_->sample(facet, at, [&](Image const& image, CornerUvs const& uvs) {
     V2f const size(float(image.width), float(image.height));
     V2f const along_b = (uvs[1] - uvs[0]) * size, along_c = (uvs[2] - uvs[0]) * size;
-    auto const squared_texels = [&](V3f const& step) {
-      return (along_b * step.cross(c).dot(normal) + along_c * b.cross(step).dot(normal)).length2();
-    };
-    return std::sqrt(std::max(squared_texels(steps[0]), squared_texels(steps[1]))) / normal.length2();
+    return std::max((along_b * steps[0].u + along_c * steps[0].v).length2(),
+                    (along_b * steps[1].u + along_c * steps[1].v).length2());
   });
 }
 

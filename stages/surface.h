@@ -3,6 +3,7 @@
 /// What an original looks like at a point of its surface: the one place that knows vertex colours, materials, textures
 /// and normal maps. Baking and rendering both ask here.
 
+#include "stages/closest_point.h"
 #include "stages/data.h"
 #include "stages/ray_scene.h"
 
@@ -13,6 +14,20 @@ namespace vitrine {
 struct SurfaceSample {
   Rgba colour{1, 1, 1, 1};  ///< linear base colour: factor x texture x vertex colour; coverage in the fourth
   V3f normal{0, 1, 0};      ///< unit shading normal: interpolated, then the source's own normal map as clients draw it
+};
+
+/// One face, and what all its samples share. Of three values each the first is that of the first corner, the others are
+/// the ways from there to the second and third corner.
+struct Facet {
+  std::uint32_t face = 0xffffffffu;
+  Material const* material = nullptr;
+  std::array<V3f, 3> corners;     ///< places of all three
+  V3f across{0, 0, 0};            ///< unit, by the winding
+  bool smooth = false;            ///< else `across` is the normal everywhere
+  bool mapped = false;            ///< by any texture
+  std::array<V3f, 3> normals;     ///< if smooth
+  std::array<Rgba, 3> colours;    ///< material's factor x vertex colour
+  CornerUvs colour_uvs;           ///< of the colour map, if there is one; places of all three
 };
 
 /// Keeps filtered (mip-mapped) textures of one original. Immutable; calls may come from any thread. The model must
@@ -26,9 +41,11 @@ class Surface {
 
   /// `footprint`: diameter of the area that the sample stands for, in model units; 0 reads the finest level.
   SurfaceSample sample(Hit const& hit, float footprint) const;
-  /// As clients draw it: `steps` is how far the point moves on its face from a pixel to its neighbours, across and up;
+
+  Facet facet(std::uint32_t face) const;
+  /// As clients draw it: `steps` is how far the place moves on its face from a pixel to its neighbours, across and up;
   /// textures are read from the level in which the longer step is a texel (OpenGL's trilinear filter).
-  SurfaceSample sample(Hit const& hit, std::array<V3f, 2> const& steps) const;
+  SurfaceSample sample(Facet const& facet, Barycentric const& at, std::array<Barycentric, 2> const& steps) const;
 
   bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials
   Rgba uniform_colour() const;  ///< the one colour, when it does not; white for models without colour

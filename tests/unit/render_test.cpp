@@ -16,8 +16,6 @@
 namespace vitrine {
 namespace {
 
-int srgb_byte(float linear) { return srgb_bytes({linear, 0, 0})[0]; }
-
 SurveyedModel surveyed(SourceModel model) { return survey(std::make_shared<SourceModel const>(std::move(model))); }
 
 /// A square of edge 2 in the xy plane, facing +Z, in one linear colour.

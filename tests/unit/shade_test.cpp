@@ -11,8 +11,6 @@ namespace {
 
 V3f const kUp(0, 0, 1), kSide(1, 0, 0);
 
-int srgb_byte(float linear) { return srgb_bytes({0, linear, 0})[1]; }
-
 TEST(Shade, FacingLightAndEyeIsAmbientPlusDiffusePlusLobe) {
   double const fresnel = 0.04 + 0.96 * std::exp2(-5.55473 - 6.98316);
   double const ambient = 0.25 * 0.5 * (1 - 0.0129);
