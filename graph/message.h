@@ -5,7 +5,6 @@
 
 #include "graph/report.h"
 #include "io/archive.h"
-#include "stages/surface.h"
 
 #include <memory>
 #include <utility>
@@ -25,13 +24,6 @@ template <class T>
 struct Message {
   JobPtr job;
   std::variant<std::shared_ptr<T const>, Failure> value;  ///< immutable from here on
-};
-
-/// The light mesh in some state, and the original it stands for.
-template <class T>
-struct Against {
-  std::shared_ptr<SurveyedModel const> original;
-  T light;
 };
 
 }  // namespace vitrine::graph

@@ -4,8 +4,7 @@
 #include "graph/admission.h"
 #include "graph/message.h"
 #include "graph/stage_body.h"
-#include "io/publish.h"
-#include "stages/clean.h"
+#include "graph/steps.h"
 #include "stages/parameterize.h"
 
 #include <oneapi/tbb/flow_graph.h>
@@ -13,7 +12,6 @@
 #include <oneapi/tbb/info.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <tuple>
 
@@ -28,69 +26,12 @@ namespace fs = std::filesystem;
 
 struct Admitted {};
 struct Published {};
-using Original = SurveyedModel;
+using Simplified = Against<SimplifiedMesh>;
 using Charted = Against<ChartedMesh>;
 using Flat = Against<FlatCharts>;
 using Packed = Against<Atlas>;
-using Simplified = Against<SimplifiedMesh>;
-template <class T>
-using In = std::shared_ptr<T const>;
-
-// ---- Bodies: what the nodes do to one model
-// ---------------------------------------------------------------------------
-
-std::string ending(std::string const& path) {
-  std::string text = fs::path(path).extension().string();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
-
-CleanModel load_model(Job& job, io::ReadOptions const& options) {
-  io::ArchiveEntry const& entry = *job.entry;
-  SourceModel source =
-      io::read_model(ending(entry.path), io::map_file(entry.file), io::resolve_in(entry.file.parent_path()), options);
-  if (entry.up == io::UpAxis::z) io::turn_z_up(source);
-  job.row.source_triangles = source.mesh.triangles.size();
-  job.row.source_vertices = source.mesh.positions.size();
-  job.row.source_coloured = has_colour(source);
-  job.row.notes = source.notes;
-  CleanModel cleaned = clean(std::move(source));
-  job.row.repairs = cleaned.repairs;
-  return cleaned;
-}
-
-Simplified simplify_model(In<Original> const& original, SimplifyOptions const& options, Job& job) {
-  SimplifiedMesh light = simplify(weld(*original->model), options);
-  job.row.simplify_error = light.error;
-  return {original, std::move(light)};
-}
-
-Packed pack_charts(In<Flat> const& flat, PackOptions const& options, Job& job) {
-  Atlas atlas = pack(flat->light, options);
-  job.row.charts = atlas.charts;
-  job.row.chart_retries = flat->light.retries;
-  job.row.atlas_fill = atlas.fill;
-  return {flat->original, std::move(atlas)};
-}
-
-BakedModel bake_maps(In<Packed> const& packed, ModelOptions const& options, Job& job) {
-  BakedModel baked = bake(quantize(packed->light, options.quantize), *packed->original, options.bake);
-  job.row.bake = baked.statistics;
-  return baked;
-}
-
-Published publish_thumbnail(EncodedThumbnail const& thumbnail, fs::path const& gallery, Job& job) {
-  ModelRow& row = job.row;
-  std::string const path = "models/" + row.slug + "/thumb.glb";
-  io::publish_file(gallery / path, thumbnail.glb);
-  row.thumb = path;
-  row.triangles = thumbnail.triangles;
-  row.vertices = thumbnail.vertices;
-  row.bytes = {thumbnail.glb.size(), thumbnail.geometry,  thumbnail.colour,
-               thumbnail.normal,     thumbnail.occlusion, thumbnail.other};
-  row.status = "done";
-  return {};
-}
+using Baked = Against<BakedModel>;
+using Encoded = Against<EncodedThumbnail>;
 
 // ---- Before and after
 // -------------------------------------------------------------------------------------------------
@@ -182,9 +123,8 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   });
   auto load = node.operator()<Admitted, CleanModel>(
       2, "load", [&](In<Admitted> const&, Job& job) { return load_model(job, options.read); });
-  auto survey_ = node.operator()<CleanModel, Original>(flow::unlimited, "survey", [](In<CleanModel> const& in, Job&) {
-    return survey(std::shared_ptr<SourceModel const>(in, &in->model));
-  });
+  auto survey_ = node.operator()<CleanModel, Original>(
+      flow::unlimited, "survey", [&](In<CleanModel> const& in, Job&) { return survey_model(in, options.publish); });
   auto simplify_ = node.operator()<Original, Simplified>(
       flow::unlimited, "simplify",
       [&](In<Original> const& in, Job& job) { return simplify_model(in, options.simplify, job); });
@@ -196,13 +136,16 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   });
   auto pack_ = node.operator()<Flat, Packed>(
       flow::unlimited, "pack", [&](In<Flat> const& in, Job& job) { return pack_charts(in, options.pack, job); });
-  auto bake_ = node.operator()<Packed, BakedModel>(
+  auto bake_ = node.operator()<Packed, Baked>(
       flow::unlimited, "bake", [&](In<Packed> const& in, Job& job) { return bake_maps(in, options, job); });
-  auto encode = node.operator()<BakedModel, EncodedThumbnail>(
-      threads, "encode",
-      [&](In<BakedModel> const& in, Job& job) { return io::encode(*in, job.row.title, options.encode); });
-  auto publish = node.operator()<EncodedThumbnail, Published>(
-      1, "publish", [&](In<EncodedThumbnail> const& in, Job& job) { return publish_thumbnail(*in, run.gallery, job); });
+  auto encode = node.operator()<Baked, Encoded>(
+      threads, "encode", [&](In<Baked> const& in, Job& job) { return encode_thumbnail(in, options.encode, job); });
+  auto measure = node.operator()<Encoded, Finished>(
+      flow::unlimited, "measure", [](In<Encoded> const& in, Job& job) { return measure_thumbnail(in, job); });
+  auto publish = node.operator()<Finished, Published>(1, "publish", [&](In<Finished> const& in, Job& job) {
+    publish_model(*in, options, run.gallery, job);
+    return Published{};
+  });
   flow::function_node<Message<Published>, Event> report(g, flow::serial,
                                                         [&](Message<Published> const& message) -> Event {
                                                           std::size_t const id = number(message.job);
@@ -220,7 +163,8 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   flow::make_edge(flatten, pack_);
   flow::make_edge(pack_, bake_);
   flow::make_edge(bake_, encode);
-  flow::make_edge(encode, publish);
+  flow::make_edge(encode, measure);
+  flow::make_edge(measure, publish);
   flow::make_edge(publish, report);
   flow::make_edge(report, admit);  // memory given back
   discover.activate();

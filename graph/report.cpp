@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/report.h"
 
+#include "graph/options_json.h"
 #include "io/csv.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -32,6 +31,33 @@ json repairs_json(Repairs const& r) {
           {"flippedFaces", r.flipped_faces}};
 }
 
+json measure_json(Measurement const& m) {
+  MeasureOptions const& o = m.options;
+  return {{"set", shown(o.views)},
+          {"views", o.count},
+          {"size", o.size},
+          {"light", shown(o.light)},
+          {"mse1e4", m.mean.mse1e4},
+          {"foregroundMse1e4", m.mean.foreground_mse1e4},
+          {"psnr", m.mean.psnr},
+          {"ssim", m.mean.ssim},
+          {"foregroundSsim", m.mean.foreground_ssim},
+          {"iou", m.mean.iou},
+          {"worstMse1e4", m.worst_mse1e4},
+          {"worstView", m.worst_view},
+          {"coverage", m.coverage}};
+}
+
+json verdict_json(Verdict const& verdict) {
+  json out = {{"winner", verdict.thumbnail_wins ? "3d" : "series"}, {"rival", nullptr}};
+  if (verdict.rival)
+    out["rival"] = {{"codec", verdict.rival->codec},
+                    {"frames", verdict.rival->frames},
+                    {"bytes", verdict.rival->bytes},
+                    {"turningMse1e4", verdict.rival->turning_mse1e4}};
+  return out;
+}
+
 json row_json(ModelRow const& row) {
   json out = {{"input", row.input}, {"title", row.title}, {"status", row.status}};
   if (row.status != "done") {
@@ -40,14 +66,9 @@ json row_json(ModelRow const& row) {
     out["remedy"] = row.failure.remedy;
   } else {
     out["thumb"] = row.thumb;
-    out["bytes"] = {{"total", row.bytes.total},   {"geometry", row.bytes.geometry},   {"colour", row.bytes.colour},
-                    {"normal", row.bytes.normal}, {"occlusion", row.bytes.occlusion}, {"other", row.bytes.other}};
-    out["mesh"] = {{"triangles", row.triangles},  {"vertices", row.vertices},
-                   {"charts", row.charts},        {"chartRetries", row.chart_retries},
-                   {"atlasFill", row.atlas_fill}, {"simplifyError", row.simplify_error}};
-    double const samples = double(std::max<std::uint64_t>(row.bake.samples, 1));
-    out["bake"] = {
-        {"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}};
+    out["poster"] = row.poster;
+    if (!row.certificate.empty()) out["certificate"] = row.certificate;
+    out.update(outcome_json(row));
   }
   out["source"] = {{"bytes", row.input_bytes},
                    {"triangles", row.source_triangles},
@@ -89,13 +110,39 @@ std::string describe(ModelRow const& failed) {
   return "error: " + failed.input + ": " + f.stage + ": " + f.reason + (f.remedy.empty() ? "" : "; " + f.remedy);
 }
 
-json report_json(std::vector<ModelRow> const& rows, json const& options, double wall_seconds) {
-  json out = {{"schema", 1}, {"program", "vitrine"}, {"options", options}};
+json outcome_json(ModelRow const& row) {
+  double const samples = double(std::max<std::uint64_t>(row.bake.samples, 1));
+  json out = {
+      {"bytes",
+       {{"total", row.bytes.total},
+        {"geometry", row.bytes.geometry},
+        {"colour", row.bytes.colour},
+        {"normal", row.bytes.normal},
+        {"occlusion", row.bytes.occlusion},
+        {"other", row.bytes.other}}},
+      {"mesh",
+       {{"triangles", row.triangles},
+        {"vertices", row.vertices},
+        {"charts", row.charts},
+        {"chartRetries", row.chart_retries},
+        {"atlasFill", row.atlas_fill},
+        {"simplifyError", row.simplify_error}}},
+      {"bake",
+       {{"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}}}};
+  if (!row.measurement) return out;
+  out["measure"] = measure_json(*row.measurement);
+  out["series"] = to_json(row.series);
+  if (row.verdict) out["verdict"] = verdict_json(*row.verdict);
+  return out;
+}
+
+json report_json(std::vector<ModelRow> const& rows, RunFacts const& run) {
+  json out = {{"schema", 1}, {"program", "vitrine"}, {"archive", run.archive}, {"options", run.options}};
   auto const done = std::count_if(rows.begin(), rows.end(), [](ModelRow const& r) { return r.status == "done"; });
   out["models"] = rows.size();
   out["done"] = done;
   out["failed"] = rows.size() - std::size_t(done);
-  out["seconds"] = wall_seconds;
+  out["seconds"] = run.wall_seconds;
   out["stages"] = stages_json(rows);
   out["rows"] = json::array();
   for (ModelRow const& row : rows) out["rows"].push_back(row_json(row));
@@ -106,7 +153,7 @@ std::string report_csv(std::vector<ModelRow> const& rows) {
   std::string out =
       "input,title,status,stage,reason,remedy,thumb,bytes,geometry,colour,normal,occlusion,other,triangles,vertices,"
       "charts,"
-      "atlas_fill,source_triangles,source_bytes,seconds,notes\r\n";
+      "mse1e4,ssim,atlas_fill,source_triangles,source_bytes,seconds,notes\r\n";
   for (ModelRow const& row : rows) {
     std::string notes;
     for (std::string const& note : row.notes) notes += (notes.empty() ? "" : "; ") + note;
@@ -126,6 +173,8 @@ std::string report_csv(std::vector<ModelRow> const& rows) {
                                             std::to_string(row.triangles),
                                             std::to_string(row.vertices),
                                             std::to_string(row.charts),
+                                            row.measurement ? std::to_string(row.measurement->mean.mse1e4) : "",
+                                            row.measurement ? std::to_string(row.measurement->mean.ssim) : "",
                                             std::to_string(row.atlas_fill),
                                             std::to_string(row.source_triangles),
                                             std::to_string(row.input_bytes),
@@ -137,6 +186,8 @@ std::string report_csv(std::vector<ModelRow> const& rows) {
   return out;
 }
 
+std::string to_text(json const& value) { return value.dump(1, ' ', false, json::error_handler_t::replace) + "\n"; }
+
 json gallery_json(std::vector<ModelRow> const& rows) {
   json objects = json::array();
   for (ModelRow const& row : rows) {
@@ -144,6 +195,7 @@ json gallery_json(std::vector<ModelRow> const& rows) {
     objects.push_back({{"slug", row.slug},
                        {"title", row.title},
                        {"thumb", row.thumb},
+                       {"poster", row.poster},
                        {"bytes", row.bytes.total},
                        {"triangles", row.triangles},
                        {"metadata", row.metadata}});

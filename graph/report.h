@@ -2,12 +2,18 @@
 #pragma once
 /// What a run says of each model: one row per input, also for those that failed, in the archive's order.
 
+#include "graph/series_sizes.h"
+#include "io/dependencies.h"
 #include "stages/clean.h"
+#include "stages/compare.h"
 #include "stages/data.h"
+#include "stages/measure.h"
+#include "stages/verdict.h"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,14 +24,25 @@ struct Failure {
   std::string stage, reason, remedy;
 };
 
+/// How far the published file is from its original, as a client shows both.
+struct Measurement {
+  MeasureOptions options;
+  Difference mean;
+  double worst_mse1e4 = 0;
+  std::size_t worst_view = 0;
+  double coverage = 0;  ///< share of the original's pictures that it covers
+};
+
 struct ModelRow {
   std::string input;  ///< path in the archive
   std::string slug, title;
   std::map<std::string, std::string> metadata;
   std::string status = "failed";  ///< "done" or "failed"
   Failure failure;                ///< of a failed one
-  std::string thumb;              ///< path in the gallery, of a finished one
+  std::string thumb, poster, certificate;  ///< paths in the gallery, of a finished one; "": not written
 
+  std::string input_hash;
+  io::Dependencies dependencies;
   std::uint64_t input_bytes = 0, memory = 0;  ///< memory: as admitted
   std::uint64_t source_triangles = 0, source_vertices = 0;
   bool source_coloured = false;
@@ -39,6 +56,9 @@ struct ModelRow {
   struct Bytes {
     std::size_t total = 0, geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
   } bytes;
+  std::optional<Measurement> measurement;  ///< none with --no-certificate; neither are these:
+  std::vector<SeriesSizes> series;
+  std::optional<Verdict> verdict;
 
   std::vector<std::pair<std::string, double>> seconds;  ///< wall time per stage, in order; waiting excluded
 };
@@ -46,12 +66,25 @@ struct ModelRow {
 /// One line for people: "error: office/ch_03.obj: segment: …; try …".
 std::string describe(ModelRow const& failed);
 
-/// report.json (schema 1). `options` as given by the caller; `wall_seconds` of the whole run.
-nlohmann::ordered_json report_json(std::vector<ModelRow> const& rows, nlohmann::ordered_json const& options,
-                                   double wall_seconds);
+/// What the whole run was about.
+struct RunFacts {
+  std::string archive;  ///< absolute path
+  nlohmann::ordered_json options;
+  double wall_seconds = 0;
+};
+
+/// report.json (schema 1).
+nlohmann::ordered_json report_json(std::vector<ModelRow> const& rows, RunFacts const& run);
+
+/// Keys of a finished model that the report and the certificate share: bytes, mesh, bake and, if measured, measure,
+/// series and verdict.
+nlohmann::ordered_json outcome_json(ModelRow const& row);
 
 /// report.csv: the same rows, flat. Cells that a spreadsheet would take for a formula are quoted with an apostrophe.
 std::string report_csv(std::vector<ModelRow> const& rows);
+
+/// A report's file: indented, invalid UTF-8 replaced, so that any name can stand in it.
+std::string to_text(nlohmann::ordered_json const& json);
 
 /// gallery.json (schema 1): what the gallery page shows.
 nlohmann::ordered_json gallery_json(std::vector<ModelRow> const& rows);

@@ -22,15 +22,6 @@ constexpr Coding kCodings[] = {{"jpeg90", {io::ImageCodec::jpeg, 90, true, io::E
                                {"avif65", {io::ImageCodec::avif, 65, false, io::Effort::usual}}};
 constexpr int kCounts[] = {8, 16, 32};
 
-/// Without alpha, which is the coverage of the object and no part of what is seen.
-Image without_alpha(Image const& picture) {
-  Image rgb{picture.width, picture.height, 3, picture.space, {}};
-  rgb.texels.reserve(picture.texels.size() / 4 * 3);
-  for (std::size_t i = 0; i < picture.texels.size(); i += 4)
-    rgb.texels.insert(rgb.texels.end(), &picture.texels[i], &picture.texels[i] + 3);
-  return rgb;
-}
-
 /// The frames of a smaller series among `views` views.
 std::vector<std::size_t> every(std::size_t views, int frames) {
   std::vector<std::size_t> chosen;
@@ -73,7 +64,7 @@ std::vector<SeriesSizes> series_sizes(Reference const& reference) {
     throw Error(ErrorKind::invalid_input, "a series of pictures is compared over views that are no turntable",
                 "measure with --views turntable");
   std::vector<Image> views(reference.pictures.size());
-  parallel_for(views.size(), 1, [&](std::size_t i) { views[i] = without_alpha(reference.pictures[i]); });
+  parallel_for(views.size(), 1, [&](std::size_t i) { views[i] = opaque(reference.pictures[i]); });
   std::vector<SeriesSizes> all;
   for (Coding const& coding : kCodings) all.push_back(sizes_in(coding, views));
   return all;

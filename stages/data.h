@@ -48,6 +48,9 @@ struct Image {
   std::vector<std::uint8_t> texels;  ///< height x width x channels
 };
 
+/// The colours of an RGBA picture that was drawn on a background, without its coverage.
+Image opaque(Image const& picture);
+
 enum class Wrap { repeat, mirror, clamp };
 
 /// Use of an image by a material; maps the vertex's uv to the image's: (u, v) -> matrix * (u, v, 1).

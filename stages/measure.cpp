@@ -13,10 +13,15 @@ bool painted(SourceModel const& model) {
 
 }  // namespace
 
-Reference reference(SurveyedModel const& original, MeasureOptions const& options) {
+Reference viewpoints(SurveyedModel const& original, MeasureOptions const& options) {
   Reference made{options, bounding_sphere(*original.model), {}, {}, has_colour(*original.model)};
   for (V3d const& direction : directions(options.views, options.count))
     made.cameras.push_back(camera(made.sphere, direction));
+  return made;
+}
+
+Reference reference(SurveyedModel const& original, MeasureOptions const& options) {
+  Reference made = viewpoints(original, options);
   made.pictures = render(original, made.cameras, {options.size, options.light, !made.coloured, options.supersample});
   return made;
 }
@@ -25,6 +30,13 @@ std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& ori
   bool const grey = !original.coloured && !painted(*thumbnail.model);
   MeasureOptions const& options = original.options;
   return render(thumbnail, original.cameras, {options.size, options.light, grey, options.supersample});
+}
+
+double coverage(std::vector<Image> const& pictures) {
+  double covered = 0, all = 0;
+  for (Image const& picture : pictures)
+    for (std::size_t i = 3; i < picture.texels.size(); i += 4) covered += picture.texels[i], all += 255;
+  return all > 0 ? covered / all : 0;
 }
 
 }  // namespace vitrine

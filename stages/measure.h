@@ -33,11 +33,16 @@ struct Reference {
   bool coloured = false;  ///< has_colour; an original without any is drawn grey
 };
 
+/// The cameras alone, nothing drawn. Errors: those of bounding_sphere.
+Reference viewpoints(SurveyedModel const& original, MeasureOptions const& options);
 /// Errors: those of bounding_sphere.
 Reference reference(SurveyedModel const& original, MeasureOptions const& options);
 
 /// The thumbnail as the original's cameras see it. Where neither side has a colour both are drawn in one grey; a
 /// thumbnail with a colour texture or vertex colours is drawn as it is.
 std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original);
+
+/// Share of the pictures' area that the object covers.
+double coverage(std::vector<Image> const& pictures);
 
 }  // namespace vitrine

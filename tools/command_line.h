@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Visitors over the options structs of stages and io (stages/options.h): command line, report and documentation follow
-/// from them.
+/// Visitor over the options structs of stages and io (stages/options.h): the command line follows from them.
 
-#include "stages/options.h"
+#include "graph/options_json.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <map>
 #include <string>
@@ -14,14 +12,7 @@
 
 namespace vitrine::tools {
 
-/// An enum's value or a number, as --help, the report and the documentation show it.
-template <class T>
-std::string shown(T const& value) {
-  if constexpr (std::is_enum_v<T>)
-    return std::string(EnumNames<T>::names[static_cast<std::size_t>(value)]);
-  else
-    return nlohmann::json(value).dump();
-}
+using graph::shown;
 
 /// "a|b|c" for an enum, "" for anything else.
 template <class T>
@@ -64,20 +55,5 @@ class AddFlags {
   CLI::App& app_;
   std::string group_;
 };
-
-/// All options of a set of groups (see graph::option_groups) as one JSON object by flag.
-template <class Groups, class Options>
-nlohmann::ordered_json options_json(Options const& options, Groups const& groups) {
-  nlohmann::ordered_json out = nlohmann::ordered_json::object();
-  groups(options, [&](std::string_view, auto const& group) {
-    group.fields(group, [&](auto const& value, Field const& field) {
-      if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
-        out[std::string(field.flag)] = shown(value);
-      else
-        out[std::string(field.flag)] = value;
-    });
-  });
-  return out;
-}
 
 }  // namespace vitrine::tools

@@ -53,15 +53,11 @@ void publish_page(fs::path const& gallery) {
 }
 
 void publish_reports(ConvertCommand const& command, std::vector<graph::ModelRow> const& rows, double seconds) {
-  auto const groups = [](auto const& options, auto visit) { graph::option_groups(options, visit); };
   fs::path const& gallery = command.run.gallery;
-  auto const dump = [](auto const& json) {
-    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-  };
-  io::publish_file(gallery / "report.json",
-                   dump(graph::report_json(rows, options_json(command.model, groups), seconds)));
+  graph::RunFacts const run{fs::absolute(command.archive).lexically_normal(), graph::options_json(command.model), seconds};
+  io::publish_file(gallery / "report.json", graph::to_text(graph::report_json(rows, run)));
   io::publish_file(gallery / "report.csv", graph::report_csv(rows));
-  io::publish_file(gallery / "gallery.json", dump(graph::gallery_json(rows)));
+  io::publish_file(gallery / "gallery.json", graph::to_text(graph::gallery_json(rows)));
 }
 
 void print_summary(std::vector<graph::ModelRow> const& rows, fs::path const& gallery, double seconds) {

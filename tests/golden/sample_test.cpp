@@ -20,7 +20,9 @@ constexpr std::uint32_t kSeed = 7;
 std::vector<graph::ModelRow> convert_sample(std::filesystem::path const& folder) {
   for (sample::Object const& object : sample::objects())
     sample::write(folder / "archive", object, std::string(object.name), sample::scan(object.parts(kSeed), kTriangles, kSeed));
-  return graph::run_pipeline(io::read_archive(folder / "archive"), {}, {0, 0, folder / "gallery"});
+  graph::ModelOptions options;
+  options.publish.certificate = false;
+  return graph::run_pipeline(io::read_archive(folder / "archive"), options, {0, 0, folder / "gallery"});
 }
 
 /// "path \t triangles \t charts \t fill \t geometry \t colour \t normal".

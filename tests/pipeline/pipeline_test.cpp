@@ -5,6 +5,7 @@
 #include "tests/support/meshes.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -24,6 +25,7 @@ ModelOptions small_thumbnails() {
   options.simplify.triangles = 200;
   options.pack.texture = 64;
   options.bake.samples = 4;
+  options.publish.certificate = false;
   return options;
 }
 
@@ -37,9 +39,10 @@ class Pipeline : public testing::Test {
                             std::uint64_t memory = 0, ModelOptions const& options = small_thumbnails()) {
     return run_pipeline(archive, options, {threads, memory, folder_.path() / gallery});
   }
-  std::string thumb(ModelRow const& row, std::string const& gallery = "gallery") {
-    return test::read_file(folder_.path() / gallery / row.thumb);
+  std::string file(std::string const& path, std::string const& gallery = "gallery") {
+    return test::read_file(folder_.path() / gallery / path);
   }
+  std::string thumb(ModelRow const& row, std::string const& gallery = "gallery") { return file(row.thumb, gallery); }
 
  private:
   test::TemporaryFolder folder_;
@@ -133,6 +136,33 @@ TEST_F(Pipeline, MapsFollowWhatTheModelHas) {
   options.bake.occlusion = Occlusion::colour;
   rows = run(archive(), "grey", 2, 0, options);
   EXPECT_GT(rows[1].bytes.colour, 0u);
+}
+
+TEST_F(Pipeline, CertifiesWhatItPublished) {
+  add("a.obj", test::painted_model(test::bumpy_sphere(48, 24)));
+  ModelOptions options = small_thumbnails();
+  options.publish = {};
+  ModelRow const row = run(archive(), "gallery", 2, 0, options)[0];
+  auto const certificate = nlohmann::json::parse(file(row.certificate));
+  EXPECT_EQ(certificate["schema"], 1);
+  EXPECT_EQ(certificate["input"]["path"], "a.obj");
+  EXPECT_EQ(certificate["input"]["hash"].get<std::string>().size(), 32u);
+  EXPECT_EQ(certificate["bytes"]["total"], thumb(row).size());
+  EXPECT_GT(certificate["measure"]["mse1e4"], 0.0);
+  EXPECT_LT(certificate["measure"]["mse1e4"], 50.0);
+  EXPECT_GT(certificate["measure"]["ssim"], 0.9);
+  EXPECT_LT(certificate["series"]["webp80"]["8"]["bytes"], certificate["series"]["webp80"]["32"]["bytes"]);
+  EXPECT_THAT(certificate["verdict"]["winner"], testing::AnyOf("3d", "series"));
+  EXPECT_EQ(file(row.poster).substr(0, 2), "\xFF\xD8") << "a JPEG";
+  EXPECT_EQ(run(archive(), "again", 1, 0, options)[0].certificate, row.certificate);
+  EXPECT_EQ(file(row.certificate, "again"), file(row.certificate));
+}
+
+TEST_F(Pipeline, NamesTheFilesThatAModelIsMadeOf) {
+  add_text("a.obj", "mtllib a.mtl\nmtllib missing.mtl\n" + test::obj_text(test::plain_model(test::cube())));
+  add_text("a.mtl", "newmtl red\nKd 1 0 0\n");
+  io::Dependencies const found = run(archive())[0].dependencies;
+  EXPECT_THAT(found, testing::UnorderedElementsAre(testing::Pair("a.mtl", testing::SizeIs(32)), testing::Pair("missing.mtl", "")));
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph/certificate.h"
+
+#include "graph/options_json.h"
+
+namespace vitrine::graph {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json input_json(ModelRow const& row) {
+  json out = {{"path", row.input},
+              {"hash", row.input_hash},
+              {"bytes", row.input_bytes},
+              {"triangles", row.source_triangles},
+              {"vertices", row.source_vertices},
+              {"coloured", row.source_coloured}};
+  json dependencies = json::array();
+  for (auto const& [name, hash] : row.dependencies)
+    dependencies.push_back({{"path", name}, {"hash", hash.empty() ? json() : json(hash)}});
+  out["dependencies"] = std::move(dependencies);
+  return out;
+}
+
+}  // namespace
+
+json certificate_json(ModelRow const& row, ModelOptions const& options) {
+  json out = {{"schema", 1},
+              {"input", input_json(row)},
+              {"program", {{"name", "vitrine"}, {"version", VITRINE_VERSION}}},
+              {"options", options_json(options)}};
+  out.update(outcome_json(row));
+  return out;
+}
+
+}  // namespace vitrine::graph

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// What the program vouches for, beside each thumbnail.
+
+#include "graph/options.h"
+#include "graph/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace vitrine::graph {
+
+/// certificate.json (schema 1) of a measured model: what it was made from, how, and how good it is. The same model,
+/// options and program give the same certificate.
+nlohmann::ordered_json certificate_json(ModelRow const& row, ModelOptions const& options);
+
+}  // namespace vitrine::graph

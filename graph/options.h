@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Everything that can be chosen, as one value; and its visitor, from which flags, reports and docs/options.md follow.
+
+#include "io/read_model.h"
+#include "io/write_glb.h"
+#include "stages/bake.h"
+#include "stages/pack.h"
+#include "stages/quantize.h"
+#include "stages/segment.h"
+#include "stages/simplify.h"
+
+#include <filesystem>
+
+namespace vitrine::graph {
+
+/// What is written beside each thumbnail.
+struct PublishOptions {
+  bool certificate = true;
+  int viewport = 200;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.certificate,
+          Field{"certificate", "", "measure each written file against its original and write certificate.json"});
+    visit(self.viewport, Field{"viewport", "pixels", "side of the pictures that are measured, and of poster.jpg", 11, 1024});
+  }
+};
+
+/// What happens to each model. All of it changes the files that come out.
+struct ModelOptions {
+  io::ReadOptions read;
+  SimplifyOptions simplify;
+  SegmentOptions segment;
+  PackOptions pack;
+  QuantizeOptions quantize;
+  BakeOptions bake;
+  io::EncodeOptions encode;
+  PublishOptions publish;
+};
+
+/// visit(group, options struct) for each struct with fields, in the order of the stages.
+template <class Self, class Visitor>
+void option_groups(Self& self, Visitor&& visit) {
+  visit("Simplify", self.simplify);
+  visit("Segment", self.segment);
+  visit("Pack", self.pack);
+  visit("Quantize", self.quantize);
+  visit("Bake", self.bake);
+  visit("Encode", self.encode);
+  visit("Publish", self.publish);
+}
+
+/// How the run uses the machine. None of it changes what comes out.
+struct RunOptions {
+  int threads = 0;           ///< 0: all cores
+  std::uint64_t memory = 0;  ///< bytes that the program may take; 0: default_memory()
+  std::filesystem::path gallery;
+};
+
+}  // namespace vitrine::graph
