@@ -14,7 +14,8 @@ json input_json(ModelRow const& row) {
               {"bytes", row.input_bytes},
               {"triangles", row.source_triangles},
               {"vertices", row.source_vertices},
-              {"coloured", row.source_coloured}};
+              {"coloured", row.source_coloured},
+              {"up", row.up == io::UpAxis::z ? "z" : "y"}};
   json dependencies = json::array();
   for (auto const& [name, hash] : row.dependencies)
     dependencies.push_back({{"path", name}, {"hash", hash.empty() ? json() : json(hash)}});
@@ -24,10 +25,12 @@ json input_json(ModelRow const& row) {
 
 }  // namespace
 
+json program_json() { return {{"name", "vitrine"}, {"version", VITRINE_VERSION}}; }
+
 json certificate_json(ModelRow const& row, ModelOptions const& options) {
   json out = {{"schema", 1},
               {"input", input_json(row)},
-              {"program", {{"name", "vitrine"}, {"version", VITRINE_VERSION}}},
+              {"program", program_json()},
               {"options", options_json(options)}};
   out.update(outcome_json(row));
   return out;

@@ -23,4 +23,8 @@ std::string shown(T const& value) {
 /// Every option that changes what comes out.
 nlohmann::ordered_json options_json(ModelOptions const& options);
 
+/// What options_json wrote; keys that are missing keep their defaults, others are passed over.
+/// Errors: InvalidInput for a value that the option does not have.
+ModelOptions options_from_json(nlohmann::ordered_json const& json);
+
 }  // namespace vitrine::graph

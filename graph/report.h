@@ -3,6 +3,7 @@
 /// What a run says of each model: one row per input, also for those that failed, in the archive's order.
 
 #include "graph/series_sizes.h"
+#include "io/archive.h"
 #include "io/dependencies.h"
 #include "stages/clean.h"
 #include "stages/compare.h"
@@ -46,6 +47,7 @@ struct ModelRow {
   std::uint64_t input_bytes = 0, memory = 0;  ///< memory: as admitted
   std::uint64_t source_triangles = 0, source_vertices = 0;
   bool source_coloured = false;
+  io::UpAxis up = io::UpAxis::y;  ///< of the original
   Repairs repairs;
   std::vector<std::string> notes;
 

@@ -61,6 +61,7 @@ CleanModel load_model(Job& job, io::ReadOptions const& options) {
   row.input_hash = io::content_hash(file.bytes);
   io::Resolve const resolve = io::recording(io::resolve_in(entry.file.parent_path()), row.dependencies);
   SourceModel source = io::read_model(ending(entry.path), file, resolve, options);
+  row.up = entry.up;
   if (entry.up == io::UpAxis::z) io::turn_z_up(source);
   row.source_triangles = source.mesh.triangles.size();
   row.source_vertices = source.mesh.positions.size();
