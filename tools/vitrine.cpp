@@ -5,6 +5,7 @@
 #include "tools/command_line.h"
 #include "tools/convert.h"
 #include "tools/evaluate.h"
+#include "tools/report/report.h"
 #include "tools/serve.h"
 
 #include <fmt/format.h>
@@ -32,6 +33,14 @@ void add_reading(CLI::App& app, io::UpAxis& up, io::MtlKd& mtl_kd, std::string c
       ->default_str("ignore");
 }
 
+/// How a run uses the machine.
+void add_machine(CLI::App& app, graph::RunOptions& run) {
+  app.add_option("--threads", run.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
+  app.add_option("--memory", run.memory, "that the program may take (default: 80 % of what is free)")
+      ->transform(CLI::AsSizeValue(true))
+      ->type_name("SIZE");
+}
+
 Verb convert_verb(CLI::App& app) {
   auto command = std::make_shared<tools::ConvertCommand>();
   app.add_option("archive", command->archive, "folder of scans, searched in depth")
@@ -45,10 +54,7 @@ Verb convert_verb(CLI::App& app) {
       ->type_name("GLOB");
   app.add_option("--exclude", command->reading.exclude, "pass over paths that match; may be repeated")
       ->type_name("GLOB");
-  app.add_option("--threads", command->run.threads, "0: all cores")->check(CLI::Range(0, 1024))->type_name("N");
-  app.add_option("--memory", command->run.memory, "that the program may take (default: 80 % of what is free)")
-      ->transform(CLI::AsSizeValue(true))
-      ->type_name("SIZE");
+  add_machine(app, command->run);
   graph::option_groups(command->model, [&](std::string const& group, auto& options) {
     options.fields(options, tools::AddFlags(app, group));
   });
@@ -80,6 +86,20 @@ Verb evaluate_verb(CLI::App& app) {
   return [command] { return tools::evaluate(*command); };
 }
 
+Verb report_verb(CLI::App& app) {
+  auto command = std::make_shared<report::ReportCommand>();
+  app.add_option("gallery", command->gallery, "folder that convert made")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--textures", command->textures, "sizes to make thumbnails at with the paper's choices")
+      ->delimiter(',')
+      ->check(CLI::Range(16, 8192).description(""))
+      ->type_name("TEXELS,...")
+      ->capture_default_str();
+  app.add_option("--archive", command->archive, "where the originals are, if they have moved since")
+      ->check(CLI::ExistingDirectory);
+  add_machine(app, command->run);
+  return [command] { return report::report(*command); };
+}
+
 constexpr struct {
   char const* name;
   char const* help;
@@ -87,6 +107,7 @@ constexpr struct {
 } kVerbs[] = {
     {"convert", "turn every model below a folder into a 3D thumbnail", convert_verb},
     {"evaluate", "measure a thumbnail against its original", evaluate_verb},
+    {"report", "write the paper's tables and figures for a gallery's models", report_verb},
     {"serve", "show a gallery on localhost", serve_verb},
 };
 

@@ -99,34 +99,53 @@ std::string made_with(Study const& study) {
   return out + "</ul>\n";
 }
 
-}  // namespace
+/// The charts that are about all models.
+struct Charts {
+  explicit Charts(Study const& study) : bars(figure4(study)), bars_by_texture(figure4_by_texture(study)), curves(curves_of_all(study)) {}
+  Svg bars, bars_by_texture, curves;
+};
 
-void publish_page(Study const& study, Pictures const& pictures) {
-  std::filesystem::path const folder = study.gallery.folder / "paper";
+void publish_tables(Study const& study, std::filesystem::path const& folder) {
   for (Table const& table : {table1(study), table2(study), table3(study), table4(study), verdicts(study)}) {
     io::publish_file(folder / (table.name + ".csv"), to_csv(table));
     io::publish_file(folder / (table.name + ".md"), to_markdown(table));
   }
-  Svg const bars = figure4(study), bars_by_texture = figure4_by_texture(study), curves = curves_of_all(study);
-  io::publish_file(folder / "figure4.svg", bars.file());
-  io::publish_file(folder / "figure4-texture.svg", bars_by_texture.file());
-  io::publish_file(folder / "curves.svg", curves.file());
-  std::string models;
-  for (std::size_t m = 0; m < study.gallery.models.size(); ++m) {
-    io::publish_file(folder / ("curves-" + study.gallery.models[m].slug + ".svg"), curves_of(study, m).file());
-    models += model_section(study, pictures, m);
-  }
+}
 
-  std::string page = "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-                     "<title>3D thumbnails against image series</title>\n<style>";
-  page += std::string(chart_style()) + std::string(kStyle) + "</style></head>\n<body><main>\n<h1>3D thumbnails against image series</h1>\n";
-  page += intro(study) + findings_section(study) + section(verdicts(study)) + stages_section(pictures);
-  page += "<h2>Models and series</h2>\n" + section(table1(study)) + section(table2(study));
-  page += "<h2>Bytes</h2>\n" + section(table3(study)) + section(bars, "figure4.svg") + section(bars_by_texture, "figure4-texture.svg");
-  page += "<h2>Error</h2>\n" + section(table4(study)) + section(curves, "curves.svg");
-  page += "<h2>Model by model</h2>\n<p>Figure 5: original, thumbnail, and their squared difference times 8.</p>\n" + models + made_with(study);
-  page += "</main></body></html>\n";
-  io::publish_file(study.gallery.folder / "paper.html", page);
+void publish_charts(Study const& study, Charts const& charts, std::filesystem::path const& folder) {
+  io::publish_file(folder / "figure4.svg", charts.bars.file());
+  io::publish_file(folder / "figure4-texture.svg", charts.bars_by_texture.file());
+  io::publish_file(folder / "curves.svg", charts.curves.file());
+  for (std::size_t m = 0; m < study.gallery.models.size(); ++m)
+    io::publish_file(folder / ("curves-" + study.gallery.models[m].slug + ".svg"), curves_of(study, m).file());
+}
+
+std::string head() {
+  return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width,initial-scale=1\">\n<title>3D thumbnails against image series</title>\n<style>" +
+         std::string(chart_style()) + std::string(kStyle) + "</style></head>\n";
+}
+
+std::string body(Study const& study, Charts const& charts, Pictures const& pictures) {
+  std::string out = "<body><main>\n<h1>3D thumbnails against image series</h1>\n" + intro(study) + findings_section(study) +
+                    section(verdicts(study)) + stages_section(pictures);
+  out += "<h2>Models and series</h2>\n" + section(table1(study)) + section(table2(study));
+  out += "<h2>Bytes</h2>\n" + section(table3(study)) + section(charts.bars, "figure4.svg") +
+         section(charts.bars_by_texture, "figure4-texture.svg");
+  out += "<h2>Error</h2>\n" + section(table4(study)) + section(charts.curves, "curves.svg");
+  out += "<h2>Model by model</h2>\n<p>Figure 5: original, thumbnail, and their squared difference times 8.</p>\n";
+  for (std::size_t m = 0; m < study.gallery.models.size(); ++m) out += model_section(study, pictures, m);
+  return out + made_with(study) + "</main></body></html>\n";
+}
+
+}  // namespace
+
+void publish_page(Study const& study, Pictures const& pictures) {
+  std::filesystem::path const folder = study.gallery.folder / "paper";
+  Charts const charts(study);
+  publish_tables(study, folder);
+  publish_charts(study, charts, folder);
+  io::publish_file(study.gallery.folder / "paper.html", head() + body(study, charts, pictures));
 }
 
 }  // namespace vitrine::report

@@ -11,7 +11,7 @@ constexpr struct {
 
 }  // namespace
 
-std::vector<Setting> settings(std::vector<int> const& textures) {
+std::vector<Setting> settings(std::vector<int> const& textures, graph::ModelOptions const& gallery) {
   std::vector<Setting> out;
   for (int texture : textures) {
     Setting paper{"paper-" + std::to_string(texture), true, texture, {}};
@@ -28,6 +28,10 @@ std::vector<Setting> settings(std::vector<int> const& textures) {
     setting.options.simplify.triangles = own.triangles;
     setting.options.pack.texture = own.texture;
     out.push_back(std::move(setting));
+  }
+  for (Setting& setting : out) {
+    setting.options.read = gallery.read;
+    setting.options.publish.viewport = gallery.publish.viewport;
   }
   return out;
 }

@@ -31,8 +31,8 @@ struct Study {
   std::vector<Trial> trials;
 };
 
-/// The paper's choices at each texture size, and Vitrine's own from small to large.
-std::vector<Setting> settings(std::vector<int> const& textures);
+/// The paper's choices at each texture size, and Vitrine's own from small to large; originals read and measured as `gallery`'s.
+std::vector<Setting> settings(std::vector<int> const& textures, graph::ModelOptions const& gallery);
 
 /// The trials with the paper's choices, by texture size.
 std::vector<Trial const*> paper_trials(Study const& study);

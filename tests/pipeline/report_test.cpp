@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// vitrine report on a gallery that vitrine convert made.
+#include "stages/error.h"
+#include "tests/support/folders.h"
+#include "tests/support/meshes.h"
+#include "tools/convert.h"
+#include "tools/report/report.h"
+
+#include <gmock/gmock.h>
+
+namespace vitrine::report {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+class PaperReport : public testing::Test {
+ protected:
+  PaperReport() {
+    test::write_file(archive() / "bowl.obj", test::obj_text(test::painted_model(test::bumpy_sphere(48, 24, 1))));
+    test::write_file(archive() / "bust.obj", test::obj_text(test::plain_model(test::bumpy_sphere(48, 24, 2))));
+    test::write_file(archive() / "points.obj", "v 0 0 0\nv 1 0 0\n");
+    test::write_file(archive() / "archive.csv", "path,title\r\nbowl.obj,<script>alert(1)</script>\r\n");
+  }
+  fs::path archive() { return folder_.path() / "archive"; }
+  fs::path gallery(std::string const& name) { return folder_.path() / name; }
+
+  void convert(std::string const& name) {
+    tools::ConvertCommand command;
+    command.archive = archive();
+    command.run.gallery = gallery(name);
+    command.model.simplify.triangles = 200;
+    command.model.pack.texture = 64;
+    command.model.publish.viewport = 40;
+    tools::convert(command);
+  }
+  void run(std::string const& name, int threads = 2) {
+    ReportCommand command;
+    command.gallery = gallery(name);
+    command.textures = {64, 32};
+    command.run.threads = threads;
+    EXPECT_EQ(report(command), 0);
+  }
+  std::string file(std::string const& gallery_name, std::string const& name) { return test::read_file(gallery(gallery_name) / name); }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(PaperReport, GivesTablesFiguresAndPicturesWithNoManualStepAtAnyNumberOfThreads) {
+  convert("gallery");
+  convert("again");
+  run("gallery");
+  run("again", 1);
+  std::string const page = file("gallery", "paper.html");
+  EXPECT_THAT(page, HasSubstr("points.obj")) << "what was not converted is named";
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, HasSubstr("paper/figure1-charts.png"));
+  EXPECT_THAT(file("gallery", "paper/table4.csv"), HasSubstr("model,32 x 32,64 x 64,this gallery\r\n"));
+  EXPECT_THAT(file("gallery", "paper/table4.csv"), Not(HasSubstr(",,"))) << "every setting made every model";
+  EXPECT_EQ(page, file("again", "paper.html"));
+  for (char const* name : {"paper/figure1-original.png", "paper/figure1-thumbnail.png", "paper/figure4.svg", "paper/curves.svg"}) {
+    EXPECT_NE(file("gallery", name), "") << name;
+    EXPECT_EQ(file("gallery", name), file("again", name)) << name;
+  }
+}
+
+TEST_F(PaperReport, KeepsWhatItHasMade) {
+  convert("gallery");
+  run("gallery");
+  std::string const first = file("gallery", "paper.html");
+  std::vector<fs::path> made;
+  for (fs::directory_entry const& entry : fs::recursive_directory_iterator(gallery("gallery") / ".vitrine" / "report" / "paper-32"))
+    if (entry.path().filename() == "certificate.json") made.push_back(entry.path());
+  ASSERT_THAT(made, SizeIs(2));
+  auto const time = fs::last_write_time(made[0]);
+  test::write_file(made[1], "{}");
+  run("gallery");
+  EXPECT_EQ(fs::last_write_time(made[0]), time) << "not converted again";
+  EXPECT_NE(test::read_file(made[1]), "{}") << "what is damaged is made again";
+  EXPECT_EQ(file("gallery", "paper.html"), first);
+}
+
+TEST_F(PaperReport, SaysWhatToDoWhenAnOriginalIsGone) {
+  convert("gallery");
+  fs::remove(archive() / "bowl.obj");
+  try {
+    run("gallery");
+    FAIL();
+  } catch (Error const& e) {
+    EXPECT_THAT(e.what(), HasSubstr("bowl.obj"));
+    EXPECT_THAT(e.remedy(), HasSubstr("--archive"));
+  }
+}
+
+}  // namespace
+}  // namespace vitrine::report
