@@ -7,6 +7,7 @@
 #include "stages/fill.h"
 #include "stages/occlusion.h"
 #include "stages/parallel.h"
+#include "stages/plain_model.h"
 #include "stages/quantize.h"
 #include "stages/tangent_frame.h"
 #include "stages/texel_samples.h"
@@ -32,20 +33,6 @@ std::array<Value, 3> corners(std::vector<Value> const& values, Triangle const& f
 V3f face_normal(TriMesh const& mesh, std::uint32_t face) {
   auto const p = corners(mesh.positions, mesh.triangles[face]);
   return (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-}
-
-bool has_boundary(TriMesh const& mesh) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (Triangle const& face : mesh.triangles)
-    for (int k = 0; k < 3; ++k) edges.push_back(std::minmax({face[k], face[(k + 1) % 3]}));
-  std::sort(edges.begin(), edges.end());
-  for (auto edge = edges.begin(); edge != edges.end();) {
-    auto const next = std::find_if(edge, edges.end(), [&](auto const& other) { return other != *edge; });
-    if (next - edge == 1) return true;
-    edge = next;
-  }
-  return false;
 }
 
 std::vector<V3f> decoded_normals(TriMesh const& mesh, int bits) {
@@ -232,19 +219,6 @@ void drop_alpha(Image& image) {
   image.channels = 3;
 }
 
-/// The model without any map.
-BakedModel drawn_plain(QuantizedAtlas const& target, SurveyedModel const& original) {
-  BakedModel model;
-  model.mesh = target.atlas.mesh;
-  model.grid = target.grid;
-  model.origin = original.model->origin;
-  model.base_colour = original.surface.uniform_colour();
-  model.alpha = model.base_colour[3] < 1 ? original.surface.alpha() : AlphaMode::opaque;
-  model.unlit = original.surface.unlit();
-  model.double_sided = original.surface.double_sided() || has_boundary(model.mesh);
-  return model;
-}
-
 Layers wanted_layers(Atlas const& atlas, SurveyedModel const& original, BakeOptions const& options) {
   auto const layer = [&](bool wanted, int channels) {
     return wanted ? Layer(atlas.width, atlas.height, channels) : Layer();
@@ -272,7 +246,7 @@ void store_images(Layers const& layers, BakeOptions const& options, AlphaMode al
 
 BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options) {
   Baker const baker(target, original, options);
-  BakedModel model = drawn_plain(target, original);
+  BakedModel model = plain_model(target.atlas.mesh, target.grid, original);
   Layers layers = wanted_layers(target.atlas, original, options);
   bool const normal_map = layers.normal.channels > 0;
   if (normal_map || (options.vertex_normals && !model.unlit)) model.normals = baker.normals();

@@ -2,6 +2,7 @@
 #include "stages/surface_samples.h"
 
 #include "stages/closest_point.h"
+#include "stages/colour.h"
 #include "stages/parallel.h"
 
 #include <algorithm>
@@ -34,6 +35,10 @@ Barycentric spread(std::size_t i) {
   return {float(u), float(v)};
 }
 
+V4f shown(Rgba const& linear) {
+  return {linear_to_srgb(linear[0]), linear_to_srgb(linear[1]), linear_to_srgb(linear[2]), linear[3]};
+}
+
 }  // namespace
 
 SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count) {
@@ -41,6 +46,7 @@ SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count) 
   std::vector<double> const areas = running_areas(mesh);
   SurfaceSamples samples;
   samples.points.resize(count), samples.normals.resize(count), samples.shading.resize(count);
+  if (original.surface.coloured()) samples.colours.resize(count);
   samples.radius = bounds(mesh).size().length() / 2;
   double const step = areas.back() / double(count);
   float const footprint = float(std::sqrt(step));
@@ -54,7 +60,9 @@ SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count) 
       V3f const p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
       samples.points[i] = interpolate(p, q, r, at);
       samples.normals[i] = V3f(V3d(q - p).cross(V3d(r - p)).normalized());
-      samples.shading[i] = original.surface.sample(Hit{f, at.u, at.v, 0}, footprint).normal;
+      SurfaceSample const sample = original.surface.sample(Hit{f, at.u, at.v, 0}, footprint);
+      samples.shading[i] = sample.normal;
+      if (!samples.colours.empty()) samples.colours[i] = shown(sample.colour);
     }
   });
   return samples;

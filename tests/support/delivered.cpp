@@ -59,7 +59,7 @@ BakedModel random_model(unsigned seed, int slices, int stacks) {
   return model;
 }
 
-BakedModel painted_model(unsigned seed) {
+BakedModel coloured_model(unsigned seed) {
   BakedModel const whole = random_model(seed);
   BakedModel model;
   model.mesh = whole.mesh;

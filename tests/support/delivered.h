@@ -15,7 +15,7 @@ namespace vitrine::test {
 BakedModel random_model(unsigned seed, int slices = 24, int stacks = 12);
 
 /// The same sphere with nothing but colours per vertex, on their grid of 5 bits.
-BakedModel painted_model(unsigned seed);
+BakedModel coloured_model(unsigned seed);
 
 /// Decodes with the Draco library alone.
 io::VertexMesh decode_draco(std::span<std::byte const> bytes);

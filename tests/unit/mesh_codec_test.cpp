@@ -12,7 +12,7 @@ namespace {
 
 using test::corners;
 using test::decode_draco;
-using test::painted_model;
+using test::coloured_model;
 using test::random_model;
 
 BakedModel bare(TriMesh mesh) {
@@ -72,7 +72,7 @@ TEST(EncodeDraco, DecodesToTheGridExactly) {
 
 TEST(EncodeDraco, KeepsColoursOfTheGridExactly) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    BakedModel const model = painted_model(seed);
+    BakedModel const model = coloured_model(seed);
     VertexMesh const mesh = split_vertices(model);
     EXPECT_EQ(mesh.positions.size(), model.mesh.positions.size());
     EXPECT_EQ(corners(decode_draco(encode_draco(mesh, model.grid).bytes)), corners(mesh));

@@ -241,7 +241,7 @@ TEST(WriteGlb, BuffersDequantiseToTheGrid) {
 }
 
 TEST(WriteGlb, ColoursPerVertexComeBackInAllProfiles) {
-  BakedModel const model = test::painted_model(1);
+  BakedModel const model = test::coloured_model(1);
   for (Profile profile : kProfiles) {
     Resolve const nothing = [](std::string_view) { return std::nullopt; };
     SourceModel const read = read_gltf(own(encode(model, "", {profile}).glb), nothing);
@@ -257,7 +257,7 @@ TEST(WriteGlb, ColoursPerVertexComeBackInAllProfiles) {
 
 TEST(WriteGlb, FlatColouredFilesHoldNothingElse) {
   for (Profile profile : kProfiles) {
-    Json const json = json_of(test::painted_model(1), {profile});
+    Json const json = json_of(test::coloured_model(1), {profile});
     Json const& attributes = json["meshes"][0]["primitives"][0]["attributes"];
     EXPECT_EQ(attributes.size(), 2u);
     Json const& accessor = json["accessors"][attributes["COLOR_0"].get<std::size_t>()];
@@ -266,7 +266,7 @@ TEST(WriteGlb, FlatColouredFilesHoldNothingElse) {
     EXPECT_EQ(accessor.value("normalized", false), profile != Profile::web);
     EXPECT_FALSE(json.contains("textures"));
   }
-  EXPECT_LT(encode(test::painted_model(1), "").other, 800u);
+  EXPECT_LT(encode(test::coloured_model(1), "").other, 800u);
 }
 
 TEST(WriteGlb, OurOwnReaderFindsTheSameMesh) {

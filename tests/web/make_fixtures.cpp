@@ -105,7 +105,7 @@ Fixture painted() {
 
 /// A sphere of colours per vertex without normals: facets, lit.
 Fixture painted_facets() {
-  return {"painted_facets", test::painted_model(3), {{"light", {0, 0, 1}}}};
+  return {"painted_facets", test::coloured_model(3), {{"light", {0, 0, 1}}}};
 }
 
 /// A cube of linear colour 0.2 (124 in sRGB) without any map.

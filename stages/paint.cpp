@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/paint.h"
+
+#include "stages/colour.h"
+#include "stages/parallel.h"
+#include "stages/plain_model.h"
+#include "stages/vertex_fit.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t kGrain = 256;
+
+/// What the original shows closest to each vertex that `fit` has nothing for.
+template <class Read>
+std::vector<V3f> closest_to_unseen(VertexFit const& fit, TriMesh const& mesh, SurveyedModel const& original,
+                                   Read const& read) {
+  std::vector<V3f> values(mesh.positions.size(), V3f(0));
+  parallel_for(values.size(), kGrain, [&](std::size_t v) {
+    if (fit.seen()[v]) return;
+    if (auto const hit = original.scene.closest_point(mesh.positions[v], kInfinity, {0, 0, 0}))
+      values[v] = read(original.surface.sample(*hit, 0));
+  });
+  return values;
+}
+
+/// sRGB in [0,1].
+std::vector<V3f> fitted_colours(TriMesh const& mesh, SurveyedModel const& original, SurfaceSamples const& samples,
+                                double smoothing) {
+  std::vector<V3f> values;
+  std::vector<float> coverage;
+  for (V4f const& c : samples.colours) {
+    values.emplace_back(c.x, c.y, c.z);
+    coverage.push_back(c.w);
+  }
+  VertexFit const fit(mesh, samples, coverage);
+  std::vector<V3f> const unseen = closest_to_unseen(fit, mesh, original, [](SurfaceSample const& s) {
+    return V3f(linear_to_srgb(s.colour[0]), linear_to_srgb(s.colour[1]), linear_to_srgb(s.colour[2]));
+  });
+  std::vector<V3f> colours = fit(values, unseen, smoothing);
+  for (V3f& colour : colours)
+    for (unsigned k = 0; k < 3; ++k) colour[k] = std::clamp(colour[k], 0.f, 1.f);
+  return colours;
+}
+
+V3f linear(V3f const& srgb) { return {srgb_to_linear(srgb.x), srgb_to_linear(srgb.y), srgb_to_linear(srgb.z)}; }
+
+/// Relative to the largest value of each channel, which becomes the base colour, and on the grid.
+void store_colours(std::vector<V3f> const& srgb, BakedModel& model) {
+  V3f most(0);
+  for (V3f const& colour : srgb)
+    for (unsigned k = 0; k < 3; ++k) most[k] = std::max(most[k], srgb_to_linear(colour[k]));
+  AxisCodes const codes(0, 1, model.grid.colour_bits);
+  for (V3f const& colour : srgb) {
+    V3f const light = linear(colour);
+    V3f& stored = model.colours.emplace_back(1.f);
+    for (unsigned k = 0; k < 3; ++k)
+      if (most[k] > 0) stored[k] = codes.value(codes.code(light[k] / most[k]));
+  }
+  bool const all_white = std::all_of(model.colours.begin(), model.colours.end(), [](V3f const& c) { return c == V3f(1); });
+  if (all_white) model.colours.clear();
+  model.base_colour = {most.x, most.y, most.z, 1};
+  model.alpha = AlphaMode::opaque;
+}
+
+void store_coverage(SurfaceSamples const& samples, SurveyedModel const& original, BakedModel& model) {
+  if (original.surface.alpha() != AlphaMode::blend) return;
+  double sum = 0;
+  for (V4f const& colour : samples.colours) sum += colour.w;
+  double const mean = sum / double(samples.colours.size());
+  constexpr double kOpaque = 1 - 0.5 / 255;
+  if (mean >= kOpaque) return;
+  model.alpha = AlphaMode::blend;
+  model.base_colour[3] = float(mean);
+}
+
+std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const& original,
+                                SurfaceSamples const& samples, PaintOptions const& options) {
+  VertexFit const fit(target.mesh, samples);
+  std::vector<V3f> const unseen =
+      closest_to_unseen(fit, target.mesh, original, [](SurfaceSample const& s) { return s.normal; });
+  std::vector<V3f> normals = fit(samples.shading, unseen, options.smoothing);
+  for (V3f& normal : normals) normal = quantize_normal(normal, options.normal_bits);
+  return normals;
+}
+
+}  // namespace
+
+BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
+                 PaintOptions const& options) {
+  BakedModel model = plain_model(target.mesh, target.grid, original);
+  if (original.surface.coloured()) {
+    model.grid.colour_bits = options.colour_bits;
+    store_colours(fitted_colours(target.mesh, original, samples, options.smoothing), model);
+    store_coverage(samples, original, model);
+  }
+  if (options.normals && !model.unlit) {
+    model.grid.normal_bits = options.normal_bits;
+    model.normals = fitted_normals(target, original, samples, options);
+  }
+  return model;
+}
+
+}  // namespace vitrine

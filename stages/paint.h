@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// A whole thumbnail without an atlas: the light mesh in colours per vertex, flat or with normals per vertex.
+
+#include "stages/options.h"
+#include "stages/quantize.h"
+#include "stages/surface_samples.h"
+
+namespace vitrine {
+
+struct PaintOptions {
+  int colour_bits = 6;
+  double smoothing = 0.1;
+  bool normals = false;
+  int normal_bits = 6;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.colour_bits, Field{"colour-bits", "bits", "of each channel of stored colours per vertex", 4, 8});
+    visit(self.smoothing,
+          Field{"colour-smoothing", "",
+                "colours per vertex: 0 fits the original best, 1 takes the mean around the vertex, which packs better", 0, 10});
+    visit(self.normals, Field{"smooth", "", "store normals per vertex; without them clients draw facets"});
+    visit(self.normal_bits, Field{"smooth-bits", "bits", "of each stored normal's two octahedral coordinates", 4, 14});
+  }
+};
+
+/// Fits colours and normals to the samples, see vertex_fit.h. Colours are fitted in sRGB, in which pictures are compared;
+/// clients interpolate in linear light, which makes a face between a light and a dark vertex a little lighter.
+///
+/// In:     the mesh as the file will store it, and the original's samples.
+/// Out:    no colours for models of one colour or none: base_colour alone. Else base_colour is the largest value of each
+///         channel, and colours are relative to it, on the grid: even steps in linear light up to what occurs.
+///         Colours per vertex cannot cut out: what an original with alpha mask cuts out does not count, and is drawn in
+///         the colours around; of one that blends the mean coverage remains, as one alpha for all.
+///         Normals are fitted to those that the original is drawn with; none for unlit ones.
+/// Cost:   that of VertexFit, twice with normals.
+BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
+                 PaintOptions const& options = {});
+
+}  // namespace vitrine
