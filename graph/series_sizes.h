@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace vitrine::graph {
@@ -20,7 +20,7 @@ struct SeriesSize {
 };
 
 struct SeriesSizes {
-  std::string_view codec;  ///< "jpeg90", "webp80", "avif65"
+  std::string codec;  ///< "jpeg90", "webp80", "avif65"
   std::vector<SeriesSize> sizes;
 };
 

@@ -22,8 +22,13 @@ Reference viewpoints(SurveyedModel const& original, MeasureOptions const& option
 
 Reference reference(SurveyedModel const& original, MeasureOptions const& options) {
   Reference made = viewpoints(original, options);
-  made.pictures = render(original, made.cameras, {options.size, options.light, !made.coloured, options.supersample});
+  made.pictures = draw_original(original, made.cameras, made);
   return made;
+}
+
+std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras, Reference const& like) {
+  MeasureOptions const& options = like.options;
+  return render(original, cameras, {options.size, options.light, !like.coloured, options.supersample});
 }
 
 std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original) {

@@ -38,6 +38,9 @@ Reference viewpoints(SurveyedModel const& original, MeasureOptions const& option
 /// Errors: those of bounding_sphere.
 Reference reference(SurveyedModel const& original, MeasureOptions const& options);
 
+/// The original from other cameras, drawn as the reference's own pictures are.
+std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras, Reference const& like);
+
 /// The thumbnail as the original's cameras see it. Where neither side has a colour both are drawn in one grey; a
 /// thumbnail with a colour texture or vertex colours is drawn as it is.
 std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original);

@@ -4,6 +4,7 @@
 #include "stages/error.h"
 #include "stages/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -83,6 +84,20 @@ double mse1e4(std::vector<Image> const& views, std::vector<Image> const& frames,
   double sum = 0;
   for (double const error : errors) sum += error;
   return sum / double(errors.size());
+}
+
+Image sprite_sheet(std::vector<Image> const& frames, int columns) {
+  int const side = frames.front().width, lines = (int(frames.size()) + columns - 1) / columns;
+  Image sheet{side * columns, side * lines, 3, ColourSpace::srgb, {}};
+  std::size_t const row = 3 * std::size_t(side), line = 3 * std::size_t(sheet.width);
+  sheet.texels.assign(line * std::size_t(sheet.height), 255);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    std::uint8_t* const corner =
+        &sheet.texels[i / std::size_t(columns) * std::size_t(side) * line + i % std::size_t(columns) * row];
+    for (std::size_t y = 0; y < std::size_t(side); ++y)
+      std::copy_n(&frames[i].texels[y * row], row, corner + y * line);
+  }
+  return sheet;
 }
 
 }  // namespace vitrine

@@ -33,4 +33,8 @@ std::vector<Showing> nearest_frames(std::vector<V3d> const& views, std::vector<V
 /// Errors: InvalidInput if sizes differ or nothing is shown.
 double mse1e4(std::vector<Image> const& views, std::vector<Image> const& frames, std::vector<Showing> const& showings);
 
+/// All frames in one image, line by line, `columns` to a line, edge to edge; what is left over is white.
+/// In:     at least one frame; all RGB, squares of one size.
+Image sprite_sheet(std::vector<Image> const& frames, int columns);
+
 }  // namespace vitrine

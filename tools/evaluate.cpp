@@ -8,13 +8,13 @@
 #include "stages/contact_sheet.h"
 #include "stages/error.h"
 #include "tools/command_line.h"
+#include "tools/model_file.h"
 #include "tools/printable.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -33,29 +33,13 @@ struct Side {
   std::vector<std::string> notes;
 };
 
-/// Errors of `make` with the file's name in front.
-template <class Make>
-auto of_file(fs::path const& file, Make const& make) {
-  try {
-    return make();
-  } catch (Error const& e) {
-    throw Error(e.kind(), file.string() + ": " + e.what(), e.remedy());
-  }
-}
-
-SourceModel read(fs::path const& file, io::ReadOptions const& options) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return io::read_model(ending, io::map_file(file), io::resolve_in(file.parent_path()), options);
-}
-
 Side survey_side(fs::path const& file, SourceModel model, std::size_t triangles, std::size_t vertices) {
   std::vector<std::string> notes = model.notes;
   return {file, survey(std::make_shared<SourceModel const>(std::move(model))), triangles, vertices, std::move(notes)};
 }
 
 Side load_original(EvaluateCommand const& command) {
-  SourceModel source = read(command.original, command.read);
+  SourceModel source = read_file(command.original, command.read);
   if (command.up == io::UpAxis::z) io::turn_z_up(source);
   std::size_t const triangles = source.mesh.triangles.size(), vertices = source.mesh.positions.size();
   return survey_side(command.original, clean(std::move(source)).model, triangles, vertices);
@@ -74,7 +58,7 @@ void require_drawable(SourceModel const& model) {
 }
 
 Side load_thumbnail(EvaluateCommand const& command) {
-  SourceModel source = read(command.thumbnail, command.read);
+  SourceModel source = read_file(command.thumbnail, command.read);
   require_drawable(source);
   std::size_t const triangles = source.mesh.triangles.size(), vertices = source.mesh.positions.size();
   return survey_side(command.thumbnail, std::move(source), triangles, vertices);

@@ -7,6 +7,7 @@
 #include "tools/evaluate.h"
 #include "tools/report/report.h"
 #include "tools/serve.h"
+#include "tools/series.h"
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -100,6 +101,51 @@ Verb report_verb(CLI::App& app) {
   return [command] { return report::report(*command); };
 }
 
+/// The image series of the paper's table 2: 8, 16 or 32 views of 200 pixels, JPEG (whose usual quality is the paper's 90).
+struct PaperSeries {
+  int frames = 0;  ///< 0: not asked for
+
+  void apply(CLI::App const& app, tools::SeriesCommand& command) const {
+    auto const unless_given = [&](char const* flag, auto& value, auto preset) {
+      if (frames > 0 && app.get_option(flag)->count() == 0) value = preset;
+    };
+    unless_given("--frames", command.series.frames, frames);
+    unless_given("--rows", command.series.rows, 1);
+    unless_given("--codec", command.series.codec, SeriesCodec::jpeg);
+    unless_given("--size", command.measure.size, 200);
+    command.all_pictures = frames == 0 && app.get_option("--frames")->count() == 0;
+  }
+};
+
+Verb series_verb(CLI::App& app) {
+  auto command = std::make_shared<tools::SeriesCommand>();
+  auto preset = std::make_shared<PaperSeries>();
+  CLI::Option* original = app.add_option("original", command->original, "the model to draw")->check(CLI::ExistingFile);
+  app.add_option("--from", command->pictures, "or a folder of pictures, photographs say, in the order of their names")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("FOLDER")
+      ->excludes(original);
+  app.add_option("--out", command->out, "folder of the series, made if missing")->required()->type_name("FOLDER");
+  std::map<std::string, int> const presets{{"paper-8", 8}, {"paper-16", 16}, {"paper-32", 32}};
+  app.add_option("--preset", preset->frames, "the paper's series: JPEG of quality 90, 200 pixels, so many frames")
+      ->transform(CLI::CheckedTransformer(presets).description(""))
+      ->type_name("paper-8|paper-16|paper-32");
+  add_reading(app, command->up, command->read.mtl_kd, "axis that points up in the model");
+  app.add_flag("--json", command->json, "print series.json instead of a summary");
+  command->series.fields(command->series, tools::AddFlags(app, "Series"));
+  MeasureOptions::fields(command->measure, [&](auto& value, Field const& field) {
+    if (field.flag == "size" || field.flag == "light" || field.flag == "supersample")
+      tools::AddFlags(app, "Pictures")(value, field);
+  });
+  app.parse_complete_callback([command] {
+    if (command->original.empty() && command->pictures.empty()) throw CLI::RequiredError("original or --from");
+  });
+  return [command, preset, &app] {
+    preset->apply(app, *command);
+    return tools::series(*command);
+  };
+}
+
 constexpr struct {
   char const* name;
   char const* help;
@@ -109,6 +155,7 @@ constexpr struct {
     {"evaluate", "measure a thumbnail against its original", evaluate_verb},
     {"report", "write the paper's tables and figures for a gallery's models", report_verb},
     {"serve", "show a gallery on localhost", serve_verb},
+    {"series", "make the rival of a thumbnail: pictures from all sides", series_verb},
 };
 
 /// Large arrays go back to the system when a model is done, so that memory returns to its base.

@@ -476,6 +476,20 @@ TEST(ReadGltf, MissingTexturesAreNotedAndTheMeshRead) {
   EXPECT_THAT(model.notes, Contains(HasSubstr("gone.png")));
 }
 
+TEST(ReadGltf, ABetterCodecsImageIsTakenWhereTheFileOffersOne) {
+  for (auto const& [name, codec] : {std::pair{"EXT_texture_webp", ImageCodec::webp}, {"EXT_texture_avif", ImageCodec::avif}}) {
+    Builder b = mapped_square();
+    EncodedImage const better = encode_image({2, 2, 3, ColourSpace::srgb, std::vector<std::uint8_t>(12, 50)}, {codec});
+    int const view = b.view({reinterpret_cast<char const*>(better.bytes.data()), better.bytes.size()});
+    b.json["images"].push_back({{"bufferView", view}, {"mimeType", better.mime}});
+    b.json["textures"][0]["extensions"][name] = {{"source", 1}};
+    EXPECT_EQ(read(b).images.at(0).width, 2) << name;
+    b.json["textures"][0].erase("source");
+    b.json["extensionsRequired"] = {name};
+    EXPECT_EQ(read(b).images.at(0).width, 2) << name;
+  }
+}
+
 TEST(ReadGltf, SamplersSayHowTexturesRepeat) {
   Builder b = mapped_square();
   b.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};

@@ -61,6 +61,19 @@ TEST(Series, ErrorIsTheMeanSquareOfColoursAndPassesOverAlpha) {
   EXPECT_DOUBLE_EQ(mse1e4(views, frames, {{0, 0}, {1, 1}}), 1e4 * 51 * 51 / (255.0 * 255) / 2);
 }
 
+TEST(Series, ASheetHoldsFramesLineByLineAndWhiteForTheRest) {
+  Image const sheet = sprite_sheet({plain(1, 3, 1), plain(1, 3, 2), plain(1, 3, 3)}, 2);
+  EXPECT_EQ(sheet.width, 2);
+  EXPECT_EQ(sheet.height, 2);
+  EXPECT_THAT(sheet.texels, ElementsAre(1, 1, 1, 2, 2, 2, 3, 3, 3, 255, 255, 255));
+}
+
+TEST(Series, ASheetKeepsTheRowsOfItsFramesTogether) {
+  Image const left{2, 2, 3, ColourSpace::srgb, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}};
+  Image const sheet = sprite_sheet({left, plain(2, 3, 9)}, 2);
+  EXPECT_THAT(sheet.texels, ElementsAre(1, 1, 1, 2, 2, 2, 9, 9, 9, 9, 9, 9, 3, 3, 3, 4, 4, 4, 9, 9, 9, 9, 9, 9));
+}
+
 TEST(Series, PicturesOfDifferentShapesAreRefused) {
   EXPECT_THROW(mse1e4({plain(2, 3, 0)}, {plain(3, 3, 0)}, {{0, 0}}), Error);
   EXPECT_THROW(mse1e4({plain(2, 3, 0)}, {plain(2, 1, 0)}, {{0, 0}}), Error);
