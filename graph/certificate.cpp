@@ -3,6 +3,8 @@
 
 #include "graph/options_json.h"
 
+#include <cmath>
+
 namespace vitrine::graph {
 namespace {
 
@@ -23,6 +25,20 @@ json input_json(ModelRow const& row) {
   return out;
 }
 
+/// Each trial of the search: what was chosen, what it cost, how far it was off where the search looked.
+json trials_json(std::vector<Trial> const& trials) {
+  json out = json::array();
+  for (Trial const& trial : trials) {
+    json one = recipe_json(trial.recipe);
+    if (std::isinf(trial.error))
+      one["failed"] = true;
+    else
+      one.update({{"bytes", trial.bytes}, {"mapBytes", trial.map_bytes}, {"mse1e4", trial.error}, {"score", trial.score}});
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
 }  // namespace
 
 json program_json() { return {{"name", "vitrine"}, {"version", VITRINE_VERSION}}; }
@@ -33,6 +49,7 @@ json certificate_json(ModelRow const& row, ModelOptions const& options) {
               {"program", program_json()},
               {"options", options_json(options)}};
   out.update(outcome_json(row));
+  if (row.recipe) out["search"]["trials"] = trials_json(row.trials);
   return out;
 }
 

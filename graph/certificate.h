@@ -5,7 +5,7 @@
 #include "graph/options.h"
 #include "graph/report.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace vitrine::graph {
 

@@ -4,19 +4,42 @@
 /// it.
 
 #include "graph/report.h"
+#include "graph/study.h"
 #include "io/archive.h"
+#include "stages/measure.h"
+#include "stages/progression.h"
+#include "stages/surface_samples.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace vitrine::graph {
 
-/// One model on its way. Only the node that holds the message touches it.
+/// A model as every trial needs it: made once.
+struct Original {
+  SurveyedModel model;
+  Reference reference;            ///< of the certificate; without pictures where nothing is measured
+  std::vector<Reference> judges;  ///< by which the search decides
+  SurfaceSamples samples;         ///< none where nothing is searched
+};
+
+/// Its simplifications.
+struct Levels {
+  std::optional<SimplifiedMesh> fixed;  ///< the one that the options ask for
+  std::optional<Progression> plain, coloured;
+};
+
+/// One model on its way. Only the node that holds the message touches it; what it points to is immutable.
 struct Job {
   io::ArchiveEntry const* entry = nullptr;
   std::uint64_t memory = 0;  ///< bytes that it was admitted with
   ModelRow row;
+  std::shared_ptr<Original const> original;
+  std::shared_ptr<Levels const> levels;
+  std::optional<Study> study;
 };
 using JobPtr = std::shared_ptr<Job>;
 

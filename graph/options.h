@@ -5,6 +5,7 @@
 #include "io/read_model.h"
 #include "io/write_glb.h"
 #include "stages/bake.h"
+#include "stages/fit.h"
 #include "stages/pack.h"
 #include "stages/quantize.h"
 #include "stages/segment.h"
@@ -30,18 +31,23 @@ struct PublishOptions {
 /// What happens to each model. All of it changes the files that come out.
 struct ModelOptions {
   io::ReadOptions read;
-  SimplifyOptions simplify;
+  FitOptions fit;
+  SimplifyOptions simplify{.triangles = 0};
   SegmentOptions segment;
-  PackOptions pack;
+  PackOptions pack{.texture = 0};
   QuantizeOptions quantize;
   BakeOptions bake;
   io::EncodeOptions encode;
   PublishOptions publish;
 };
 
+/// Whether the search decides. --triangles or --texture, not 0, switch it off: then all else is taken as it stands here.
+inline bool searches(ModelOptions const& options) { return options.simplify.triangles == 0 && options.pack.texture == 0; }
+
 /// visit(group, options struct) for each struct with fields, in the order of the stages.
 template <class Self, class Visitor>
 void option_groups(Self& self, Visitor&& visit) {
+  visit("Fit", self.fit);
   visit("Simplify", self.simplify);
   visit("Segment", self.segment);
   visit("Pack", self.pack);

@@ -25,13 +25,11 @@ namespace flow = tbb::flow;
 namespace fs = std::filesystem;
 
 struct Admitted {};
+struct Surveyed {};
+struct Tried {};
 struct Published {};
-using Simplified = Against<SimplifiedMesh>;
-using Charted = Against<ChartedMesh>;
-using Flat = Against<FlatCharts>;
-using Packed = Against<Atlas>;
-using Baked = Against<BakedModel>;
-using Encoded = Against<EncodedThumbnail>;
+template <class T>
+using In = std::shared_ptr<T const>;
 
 // ---- Before and after
 // -------------------------------------------------------------------------------------------------
@@ -69,6 +67,20 @@ ModelRow finish(Message<Published> const& message) {
   ModelRow row = std::move(message.job->row);
   if (auto const* failure = std::get_if<Failure>(&message.value)) row.failure = *failure;
   return row;
+}
+
+/// The trial that the search ends with.
+Message<EncodedThumbnail> win(JobPtr const& job) {
+  static_cast<Made&>(job->row) = {};
+  job->row.trials = job->study->trials();
+  if (Failure const* failure = job->study->failure()) return {job, *failure};
+  try {
+    Study::Winner const& winner = job->study->winner();
+    static_cast<Made&>(job->row) = winner.made;
+    return {job, winner.file};
+  } catch (...) {
+    return {job, current_failure("search")};
+  }
 }
 
 }  // namespace
@@ -123,25 +135,62 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   });
   auto load = node.operator()<Admitted, CleanModel>(
       2, "load", [&](In<Admitted> const&, Job& job) { return load_model(job, options.read); });
-  auto survey_ = node.operator()<CleanModel, Original>(
-      flow::unlimited, "survey", [&](In<CleanModel> const& in, Job&) { return survey_model(in, options.publish); });
-  auto simplify_ = node.operator()<Original, Simplified>(
-      flow::unlimited, "simplify",
-      [&](In<Original> const& in, Job& job) { return simplify_model(in, options.simplify, job); });
-  auto segment_ = node.operator()<Simplified, Charted>(flow::unlimited, "segment", [&](In<Simplified> const& in, Job&) {
-    return Charted{in->original, segment(in->light.mesh, options.segment)};
+  auto survey_ = node.operator()<CleanModel, Surveyed>(flow::unlimited, "survey", [&](In<CleanModel> const& in, Job& job) {
+    job.original = std::make_shared<Original const>(survey_model(in, options));
+    return Surveyed{};
   });
-  auto flatten = node.operator()<Charted, Flat>(flow::unlimited, "parameterize", [](In<Charted> const& in, Job&) {
-    return Flat{in->original, parameterize(in->light)};
+  auto simplify_ = node.operator()<Surveyed, Tried>(flow::unlimited, "simplify", [&](In<Surveyed> const&, Job& job) {
+    job.levels = std::make_shared<Levels const>(simplify_model(*job.original, options));
+    job.study.emplace(subject_of(*job.original, options), options);
+    return Tried{};
   });
-  auto pack_ = node.operator()<Flat, Packed>(
-      flow::unlimited, "pack", [&](In<Flat> const& in, Job& job) { return pack_charts(in, options.pack, job); });
-  auto bake_ = node.operator()<Packed, Baked>(
-      flow::unlimited, "bake", [&](In<Packed> const& in, Job& job) { return bake_maps(in, options, job); });
-  auto encode = node.operator()<Baked, Encoded>(
-      threads, "encode", [&](In<Baked> const& in, Job& job) { return encode_thumbnail(in, options.encode, job); });
-  auto measure = node.operator()<Encoded, Finished>(
-      flow::unlimited, "measure", [](In<Encoded> const& in, Job& job) { return measure_thumbnail(in, job); });
+
+  // The search: another shape, another texture for the same charts, or the winner. A trial that fails is one more thing
+  // that was tried.
+  using Judge =
+      flow::multifunction_node<Message<Tried>, std::tuple<Message<Tried>, Message<FlatCharts>, Message<EncodedThumbnail>>>;
+  Judge judge(g, flow::unlimited, [](Message<Tried> const& in, Judge::output_ports_type& out) {
+    Study* const study = in.job->study ? &*in.job->study : nullptr;
+    auto const* failure = std::get_if<Failure>(&in.value);
+    if (study && failure) study->add_failure(*failure);
+    if (!study)
+      std::get<2>(out).try_put({in.job, *failure});
+    else if (!study->advance())
+      std::get<2>(out).try_put(win(in.job));
+    else if (std::shared_ptr<FlatCharts const> charts = study->charts())
+      std::get<1>(out).try_put({in.job, std::move(charts)});
+    else
+      std::get<0>(out).try_put({in.job, std::make_shared<Tried const>()});
+  });
+  auto shape = node.operator()<Tried, SimplifiedMesh>(
+      flow::unlimited, "shape", [](In<Tried> const&, Job& job) { return shape_model(job); });
+  using Fork = flow::multifunction_node<Message<SimplifiedMesh>, std::tuple<Message<SimplifiedMesh>, Message<SimplifiedMesh>>>;
+  Fork fork(g, flow::unlimited, [](Message<SimplifiedMesh> const& in, Fork::output_ports_type& out) {
+    if (in.job->study->wants_atlas())
+      std::get<1>(out).try_put(in);
+    else
+      std::get<0>(out).try_put(in);
+  });
+  auto paint_ = node.operator()<SimplifiedMesh, BakedModel>(
+      flow::unlimited, "paint", [](In<SimplifiedMesh> const& in, Job& job) { return paint_vertices(*in, job); });
+  auto segment_ = node.operator()<SimplifiedMesh, ChartedMesh>(
+      flow::unlimited, "segment",
+      [&](In<SimplifiedMesh> const& in, Job&) { return segment(in->mesh, options.segment); });
+  auto flatten = node.operator()<ChartedMesh, FlatCharts>(
+      flow::unlimited, "parameterize", [](In<ChartedMesh> const& in, Job&) { return parameterize(*in); });
+  auto pack_ = node.operator()<FlatCharts, Atlas>(
+      flow::unlimited, "pack", [](In<FlatCharts> const& in, Job& job) { return pack_charts(in, job); });
+  auto bake_ = node.operator()<Atlas, BakedModel>(
+      flow::unlimited, "bake", [](In<Atlas> const& in, Job& job) { return bake_maps(*in, job); });
+  auto encode = node.operator()<BakedModel, EncodedThumbnail>(
+      threads, "encode", [](In<BakedModel> const& in, Job& job) { return encode_thumbnail(*in, job); });
+  auto weigh_ = node.operator()<EncodedThumbnail, Tried>(flow::unlimited, "weigh", [](In<EncodedThumbnail> const& in, Job& job) {
+    weigh(in, job);
+    return Tried{};
+  });
+
+  auto certify_ = node.operator()<EncodedThumbnail, Finished>(
+      flow::unlimited, "certify", [](In<EncodedThumbnail> const& in, Job& job) { return certify(*in, job); });
   auto publish = node.operator()<Finished, Published>(1, "publish", [&](In<Finished> const& in, Job& job) {
     publish_model(*in, options, run.gallery, job);
     return Published{};
@@ -158,13 +207,21 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   flow::make_edge(flow::output_port<0>(admit), load);
   flow::make_edge(load, survey_);
   flow::make_edge(survey_, simplify_);
-  flow::make_edge(simplify_, segment_);
+  flow::make_edge(simplify_, judge);
+  flow::make_edge(flow::output_port<0>(judge), shape);
+  flow::make_edge(flow::output_port<1>(judge), pack_);
+  flow::make_edge(shape, fork);
+  flow::make_edge(flow::output_port<0>(fork), paint_);
+  flow::make_edge(paint_, encode);
+  flow::make_edge(flow::output_port<1>(fork), segment_);
   flow::make_edge(segment_, flatten);
   flow::make_edge(flatten, pack_);
   flow::make_edge(pack_, bake_);
   flow::make_edge(bake_, encode);
-  flow::make_edge(encode, measure);
-  flow::make_edge(measure, publish);
+  flow::make_edge(encode, weigh_);
+  flow::make_edge(weigh_, judge);
+  flow::make_edge(flow::output_port<2>(judge), certify_);
+  flow::make_edge(certify_, publish);
   flow::make_edge(publish, report);
   flow::make_edge(report, admit);  // memory given back
   discover.activate();

@@ -48,6 +48,21 @@ json measure_json(Measurement const& m) {
           {"coverage", m.coverage}};
 }
 
+}  // namespace
+
+json recipe_json(Recipe const& r) {
+  json out = {{"triangles", r.triangles},
+              {"shading", shown(r.shading)},
+              {"painting", shown(r.painting)},
+              {"positionBits", r.position_bits},
+              {"colourWeight", r.colour_weight}};
+  if (r.painting == Painting::vertices) out.update({{"colourBits", r.colour_bits}, {"smoothing", r.smoothing}});
+  if (r.painting == Painting::map) out.update({{"texture", r.texture}, {"mapQuality", r.map_quality}});
+  return out;
+}
+
+namespace {
+
 json verdict_json(Verdict const& verdict) {
   json out = {{"winner", verdict.thumbnail_wins ? "3d" : "series"}, {"rival", nullptr}};
   if (verdict.rival)
@@ -129,6 +144,7 @@ json outcome_json(ModelRow const& row) {
         {"simplifyError", row.simplify_error}}},
       {"bake",
        {{"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}}}};
+  if (row.recipe) out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe)}};
   if (!row.measurement) return out;
   out["measure"] = measure_json(*row.measurement);
   out["series"] = to_json(row.series);
@@ -136,13 +152,14 @@ json outcome_json(ModelRow const& row) {
   return out;
 }
 
-json report_json(std::vector<ModelRow> const& rows, RunFacts const& run) {
-  json out = {{"schema", 1}, {"program", "vitrine"}, {"archive", run.archive}, {"options", run.options}};
+json report_json(std::vector<ModelRow> const& rows, std::string const& archive, json const& options,
+                 double wall_seconds) {
+  json out = {{"schema", 1}, {"program", "vitrine"}, {"archive", archive}, {"options", options}};
   auto const done = std::count_if(rows.begin(), rows.end(), [](ModelRow const& r) { return r.status == "done"; });
   out["models"] = rows.size();
   out["done"] = done;
   out["failed"] = rows.size() - std::size_t(done);
-  out["seconds"] = run.wall_seconds;
+  out["seconds"] = wall_seconds;
   out["stages"] = stages_json(rows);
   out["rows"] = json::array();
   for (ModelRow const& row : rows) out["rows"].push_back(row_json(row));

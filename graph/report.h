@@ -8,10 +8,11 @@
 #include "stages/clean.h"
 #include "stages/compare.h"
 #include "stages/data.h"
+#include "stages/fit.h"
 #include "stages/measure.h"
 #include "stages/verdict.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <map>
 #include <optional>
@@ -34,7 +35,19 @@ struct Measurement {
   double coverage = 0;  ///< share of the original's pictures that it covers
 };
 
-struct ModelRow {
+/// What a trial made of a model.
+struct Made {
+  std::uint32_t charts = 0, chart_retries = 0;
+  float simplify_error = 0, atlas_fill = 0;
+  BakeStatistics bake;
+  std::uint32_t triangles = 0, vertices = 0;
+  struct Bytes {
+    std::size_t total = 0, geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
+  } bytes;
+  std::optional<Recipe> recipe;  ///< what the search chose; none where nothing was searched
+};
+
+struct ModelRow : Made {
   std::string input;  ///< path in the archive
   std::string slug, title;
   std::map<std::string, std::string> metadata;
@@ -50,14 +63,8 @@ struct ModelRow {
   io::UpAxis up = io::UpAxis::y;  ///< of the original
   Repairs repairs;
   std::vector<std::string> notes;
+  std::vector<Trial> trials;  ///< of the search, in order
 
-  std::uint32_t charts = 0, chart_retries = 0;
-  float simplify_error = 0, atlas_fill = 0;
-  BakeStatistics bake;
-  std::uint32_t triangles = 0, vertices = 0;
-  struct Bytes {
-    std::size_t total = 0, geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
-  } bytes;
   std::optional<Measurement> measurement;  ///< none with --no-certificate; neither are these:
   std::vector<SeriesSizes> series;
   std::optional<Verdict> verdict;
@@ -68,15 +75,11 @@ struct ModelRow {
 /// One line for people: "error: office/ch_03.obj: segment: …; try …".
 std::string describe(ModelRow const& failed);
 
-/// What the whole run was about.
-struct RunFacts {
-  std::string archive;  ///< absolute path
-  nlohmann::ordered_json options;
-  double wall_seconds = 0;
-};
+/// report.json (schema 1). `archive`: its absolute path; `wall_seconds` of the whole run.
+nlohmann::ordered_json report_json(std::vector<ModelRow> const& rows, std::string const& archive,
+                                   nlohmann::ordered_json const& options, double wall_seconds);
 
-/// report.json (schema 1).
-nlohmann::ordered_json report_json(std::vector<ModelRow> const& rows, RunFacts const& run);
+nlohmann::ordered_json recipe_json(Recipe const& recipe);
 
 /// Keys of a finished model that the report and the certificate share: bytes, mesh, bake and, if measured, measure,
 /// series and verdict.

@@ -33,6 +33,16 @@ inline Failure current_failure(std::string_view stage) {
   }
 }
 
+/// A stage that a search repeats has one sum.
+inline void add_seconds(ModelRow& row, std::string_view stage, double seconds) {
+  for (auto& [name, sum] : row.seconds)
+    if (name == stage) {
+      sum += seconds;
+      return;
+    }
+  row.seconds.emplace_back(stage, seconds);
+}
+
 /// body(std::shared_ptr<In const> const&, Job&) -> Out, as the body of a node from Message<In> to Message<Out>.
 template <class In, class Out, class Body>
 auto stage(std::string_view name, Body body) {
@@ -46,7 +56,7 @@ auto stage(std::string_view name, Body body) {
       out.value = current_failure(name);
     }
     std::chrono::duration<double> const spent = std::chrono::steady_clock::now() - start;
-    in.job->row.seconds.emplace_back(name, spent.count());
+    add_seconds(in.job->row, name, spent.count());
     return out;
   };
 }

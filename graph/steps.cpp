@@ -4,8 +4,15 @@
 #include "graph/certificate.h"
 #include "io/image_codec.h"
 #include "io/publish.h"
+#include "stages/paint.h"
+#include "stages/refit.h"
+#include "stages/welded_colours.h"
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -15,11 +22,30 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kPosterQuality = 80;
+constexpr double kColourWeight = 0.02;  ///< of the one coloured progression: the recipe says whether it is used
 
 std::string ending(std::string const& path) {
   std::string text = fs::path(path).extension().string();
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   return text;
+}
+
+/// By what the search decides: all sides, both lights, at the device's pixels.
+std::vector<Reference> judges(SurveyedModel const& model, ModelOptions const& options) {
+  if (!searches(options)) return {};
+  int const size = int(std::lround(options.publish.viewport * options.fit.pixel_ratio));
+  std::vector<Reference> all;
+  for (MeasureOptions const& measure : {MeasureOptions{ViewSet::turntable, 3, size, Light::head, 2},
+                                        MeasureOptions{ViewSet::sphere, 3, size, Light::side, 2}})
+    all.push_back(reference(model, measure));
+  return all;
+}
+
+bool has_textures(SourceModel const& model) { return !model.uvs.empty() && !model.images.empty(); }
+
+/// Weight of the facets' slopes in the refit: a coarse mesh shows each facet, a fine one few.
+double facet_weight(std::size_t triangles) {
+  return std::clamp(1 - 0.5 * std::log2(double(std::max<std::size_t>(triangles, 1)) / 4000), 0.3, 1.0);
 }
 
 /// Decoded and not repaired: what a client cannot draw is to be seen here.
@@ -39,13 +65,6 @@ std::vector<RivalSeries> rivals(std::vector<SeriesSizes> const& series) {
     for (SeriesSize const& size : coded.sizes)
       out.push_back({std::string(coded.codec), size.frames, size.bytes, size.turning_mse1e4});
   return out;
-}
-
-/// What the certificate says of a thumbnail drawn from the reference's cameras.
-void certify(Reference const& reference, std::vector<Image> const& drawn, ModelRow& row) {
-  row.measurement = measurement(reference, compare(reference.pictures, drawn));
-  row.series = series_sizes(reference);
-  row.verdict = verdict(row.bytes.total, row.measurement->mean.mse1e4, rivals(row.series));
 }
 
 std::vector<std::byte> poster_jpeg(Image const& picture) {
@@ -72,51 +91,128 @@ CleanModel load_model(Job& job, io::ReadOptions const& options) {
   return cleaned;
 }
 
-Original survey_model(In<CleanModel> const& clean, PublishOptions const& options) {
+Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options) {
   SurveyedModel model = survey(std::shared_ptr<SourceModel const>(clean, &clean->model));
   MeasureOptions measure;
-  measure.size = options.viewport;
-  if (!options.certificate) measure.count = 1;  // the poster's
-  Reference seen = options.certificate ? reference(model, measure) : viewpoints(model, measure);
-  return {std::move(model), std::move(seen)};
+  measure.size = options.publish.viewport;
+  if (!options.publish.certificate) measure.count = 1;  // the poster's
+  Reference seen = options.publish.certificate ? reference(model, measure) : viewpoints(model, measure);
+  std::vector<Reference> deciding = judges(model, options);
+  SurfaceSamples samples = searches(options) ? sample_surface(model) : SurfaceSamples{};
+  return {std::move(model), std::move(seen), std::move(deciding), std::move(samples)};
 }
 
-Against<SimplifiedMesh> simplify_model(In<Original> const& original, SimplifyOptions const& options, Job& job) {
-  SimplifiedMesh light = simplify(weld(*original->model.model), options);
+Levels simplify_model(Original const& original, ModelOptions const& options) {
+  TriMesh const welded = weld(*original.model.model);
+  Levels levels;
+  if (!searches(options)) {
+    SimplifyOptions settled = options.simplify;
+    if (settled.triangles == 0) settled.triangles = SimplifyOptions{}.triangles;
+    levels.fixed = simplify(welded, settled);
+    return levels;
+  }
+  levels.plain.emplace(welded, options.simplify);
+  if (original.model.surface.coloured()) {
+    TriMesh const finest = levels.plain->at(Progression::kFinest).mesh;
+    std::vector<V3f> const colours = colours_near(original.model, finest);
+    levels.coloured.emplace(finest, options.simplify, VertexColours{colours, kColourWeight});
+  }
+  return levels;
+}
+
+Subject subject_of(Original const& original, ModelOptions const& options) {
+  SurveyedModel const& model = original.model;
+  Subject subject;
+  subject.triangles = model.model->mesh.triangles.size();
+  subject.coloured = model.surface.coloured();
+  subject.textured = subject.coloured && has_textures(*model.model);
+  bool const occluded = options.bake.occlusion != Occlusion::none && !has_colour(*model.model);
+  subject.needs_map = model.surface.alpha() != AlphaMode::opaque || occluded;
+  return subject;
+}
+
+// ---- One trial
+// ----------------------------------------------------------------------------------------------------------------
+
+SimplifiedMesh shape_model(Job& job) {
+  Levels const& levels = *job.levels;
+  Recipe const& recipe = job.study->recipe();
+  SimplifiedMesh light = levels.fixed               ? *levels.fixed
+                         : recipe.colour_weight > 0 ? levels.coloured->at(recipe.triangles)
+                                                    : levels.plain->at(recipe.triangles);
   job.row.simplify_error = light.error;
-  return {original, std::move(light)};
+  if (!levels.fixed && recipe.shading == Shading::facets)
+    light.mesh = refit(std::move(light.mesh), job.original->samples, {.facet_weight = facet_weight(light.mesh.triangles.size())});
+  return light;
 }
 
-Against<Atlas> pack_charts(In<Against<FlatCharts>> const& flat, PackOptions const& options, Job& job) {
-  Atlas atlas = pack(flat->light, options);
+BakedModel paint_vertices(SimplifiedMesh const& light, Job& job) {
+  Recipe const& recipe = job.study->recipe();
+  Grid const grid = cube_about(light.mesh, recipe.position_bits);
+  QuantizedMesh const placed =
+      recipe.shading == Shading::facets
+          ? round_to_grid(light.mesh, grid, job.original->samples, {.facet_weight = facet_weight(light.mesh.triangles.size())})
+          : quantize(light.mesh, grid);
+  PaintOptions options;
+  options.colour_bits = recipe.colour_bits;
+  options.smoothing = recipe.smoothing;
+  options.normals = recipe.shading == Shading::smooth;
+  return paint(placed, job.original->model, job.original->samples, options);
+}
+
+Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job) {
+  job.study->keep(flat);
+  Atlas atlas = pack(*flat, job.study->options().pack);
   job.row.charts = atlas.charts;
-  job.row.chart_retries = flat->light.retries;
+  job.row.chart_retries = flat->retries;
   job.row.atlas_fill = atlas.fill;
-  return {flat->original, std::move(atlas)};
+  return atlas;
 }
 
-Against<BakedModel> bake_maps(In<Against<Atlas>> const& packed, ModelOptions const& options, Job& job) {
-  BakedModel baked = bake(quantize(packed->light, options.quantize), packed->original->model, options.bake);
+BakedModel bake_maps(Atlas const& atlas, Job& job) {
+  ModelOptions const& options = job.study->options();
+  BakedModel baked = bake(quantize(atlas, options.quantize), job.original->model, options.bake);
   job.row.bake = baked.statistics;
-  return {packed->original, std::move(baked)};
+  return baked;
 }
 
-Against<EncodedThumbnail> encode_thumbnail(In<Against<BakedModel>> const& baked, io::EncodeOptions const& options,
-                                           Job& job) {
-  EncodedThumbnail thumbnail = io::encode(baked->light, job.row.title, options);
+EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
+  EncodedThumbnail thumbnail = io::encode(baked, job.row.title, job.study->options().encode);
   ModelRow& row = job.row;
   row.triangles = thumbnail.triangles;
   row.vertices = thumbnail.vertices;
   row.bytes = {thumbnail.glb.size(), thumbnail.geometry,  thumbnail.colour,
                thumbnail.normal,     thumbnail.occlusion, thumbnail.other};
-  return {baked->original, std::move(thumbnail)};
+  return thumbnail;
 }
 
-Finished measure_thumbnail(In<Against<EncodedThumbnail>> const& encoded, Job& job) {
-  Reference const& reference = encoded->original->reference;
-  std::vector<Image> drawn = pictures(decode(encoded->light), reference);
-  if (!reference.pictures.empty()) certify(reference, drawn, job.row);
-  return {encoded->light, std::move(drawn.front())};
+void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
+  double error = 0, score = 0;
+  if (!job.original->judges.empty()) {
+    SurveyedModel const decoded = decode(*file);
+    for (Reference const& judge : job.original->judges) {
+      Difference const mean = compare(judge.pictures, pictures(decoded, judge)).mean;
+      error += mean.mse1e4;
+      score += mean.mse1e4 * (1 - mean.foreground_ssim);
+    }
+  }
+  job.study->add(job.row, file, error, score);
+  static_cast<Made&>(job.row) = {};
+}
+
+// ---- The winner
+// ---------------------------------------------------------------------------------------------------------------
+
+Finished certify(EncodedThumbnail const& thumbnail, Job& job) {
+  Reference const& reference = job.original->reference;
+  ModelRow& row = job.row;
+  std::vector<Image> drawn = pictures(decode(thumbnail), reference);
+  if (!reference.pictures.empty()) {
+    row.measurement = measurement(reference, compare(reference.pictures, drawn));
+    row.series = series_sizes(reference);
+    row.verdict = verdict(row.bytes.total, row.measurement->mean.mse1e4, rivals(row.series));
+  }
+  return {thumbnail, std::move(drawn.front())};
 }
 
 void publish_model(Finished const& finished, ModelOptions const& options, fs::path const& gallery, Job& job) {

@@ -6,25 +6,10 @@
 #include "graph/message.h"
 #include "graph/options.h"
 #include "stages/clean.h"
-#include "stages/measure.h"
 
 #include <filesystem>
-#include <optional>
 
 namespace vitrine::graph {
-
-/// A model as every trial needs it: made once.
-struct Original {
-  SurveyedModel model;
-  Reference reference;  ///< without pictures where nothing is measured
-};
-
-/// The light mesh in some state, and the original it stands for.
-template <class T>
-struct Against {
-  std::shared_ptr<Original const> original;
-  T light;
-};
 
 /// A file, and what a client shows of it.
 struct Finished {
@@ -32,19 +17,24 @@ struct Finished {
   Image poster;
 };
 
-template <class T>
-using In = std::shared_ptr<T const>;
-
 CleanModel load_model(Job& job, io::ReadOptions const& options);
-Original survey_model(In<CleanModel> const& clean, PublishOptions const& options);
-Against<SimplifiedMesh> simplify_model(In<Original> const& original, SimplifyOptions const& options, Job& job);
-Against<Atlas> pack_charts(In<Against<FlatCharts>> const& flat, PackOptions const& options, Job& job);
-Against<BakedModel> bake_maps(In<Against<Atlas>> const& packed, ModelOptions const& options, Job& job);
-Against<EncodedThumbnail> encode_thumbnail(In<Against<BakedModel>> const& baked, io::EncodeOptions const& options, Job& job);
+Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options);
+Levels simplify_model(Original const& original, ModelOptions const& options);
+Subject subject_of(Original const& original, ModelOptions const& options);
 
-/// Decodes the file as a client does, draws it, and compares it with its original.
-Finished measure_thumbnail(In<Against<EncodedThumbnail>> const& encoded, Job& job);
+// ---- One trial: by the job's study
 
+SimplifiedMesh shape_model(Job& job);
+BakedModel paint_vertices(SimplifiedMesh const& light, Job& job);
+Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job);
+BakedModel bake_maps(Atlas const& atlas, Job& job);
+EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job);
+/// Decodes the file as a client does, draws it, and enters it into the study.
+void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job);
+
+// ---- The winner
+
+Finished certify(EncodedThumbnail const& thumbnail, Job& job);
 /// Writes the model's folder: the data first, the certificate last, so that a certificate vouches for what is there.
 void publish_model(Finished const& finished, ModelOptions const& options, std::filesystem::path const& gallery, Job& job);
 

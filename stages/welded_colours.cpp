@@ -36,6 +36,22 @@ std::vector<std::uint32_t> first_corners(TriMesh const& mesh, TriMesh const& wel
   return first;
 }
 
+V3f encoded(Rgba const& linear) {
+  V3f colour;
+  for (int k = 0; k < 3; ++k) colour[k] = linear_to_srgb(std::clamp(linear[k], 0.f, 1.f));
+  return colour;
+}
+
+/// Root of the mean square.
+float mean_edge(TriMesh const& mesh) {
+  double sum = 0;
+  for (auto const& [a, b, c] : mesh.triangles) {
+    V3f const p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
+    sum += double((q - p).length2()) + double((r - q).length2()) + double((p - r).length2());
+  }
+  return float(std::sqrt(sum / (3.0 * double(std::max<std::size_t>(mesh.triangles.size(), 1)))));
+}
+
 }  // namespace
 
 std::vector<V3f> welded_colours(SurveyedModel const& original, TriMesh const& welded) {
@@ -49,8 +65,17 @@ std::vector<V3f> welded_colours(SurveyedModel const& original, TriMesh const& we
     V3f const p = mesh.positions[a];
     float const area = (mesh.positions[b] - p).cross(mesh.positions[c] - p).length() / 2;
     Barycentric const at = near_corner(first[v] % 3);
-    Rgba const linear = original.surface.sample(Hit{face, at.u, at.v, 0}, std::sqrt(area / 3)).colour;
-    for (int k = 0; k < 3; ++k) colours[v][k] = linear_to_srgb(std::clamp(linear[k], 0.f, 1.f));
+    colours[v] = encoded(original.surface.sample(Hit{face, at.u, at.v, 0}, std::sqrt(area / 3)).colour);
+  });
+  return colours;
+}
+
+std::vector<V3f> colours_near(SurveyedModel const& original, TriMesh const& mesh) {
+  float const edge = mean_edge(mesh), reach = bounds(original.model->mesh).size().length();
+  std::vector<V3f> colours(mesh.positions.size(), V3f(0));
+  parallel_for(colours.size(), 256, [&](std::size_t v) {
+    if (auto const hit = original.scene.closest_point(mesh.positions[v], reach, V3f(0)))
+      colours[v] = encoded(original.surface.sample(*hit, edge).colour);
   });
   return colours;
 }

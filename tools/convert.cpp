@@ -54,8 +54,9 @@ void publish_page(fs::path const& gallery) {
 
 void publish_reports(ConvertCommand const& command, std::vector<graph::ModelRow> const& rows, double seconds) {
   fs::path const& gallery = command.run.gallery;
-  graph::RunFacts const run{fs::absolute(command.archive).lexically_normal(), graph::options_json(command.model), seconds};
-  io::publish_file(gallery / "report.json", graph::to_text(graph::report_json(rows, run)));
+  std::string const archive = fs::absolute(command.archive).lexically_normal();
+  io::publish_file(gallery / "report.json",
+                   graph::to_text(graph::report_json(rows, archive, graph::options_json(command.model), seconds)));
   io::publish_file(gallery / "report.csv", graph::report_csv(rows));
   io::publish_file(gallery / "gallery.json", graph::to_text(graph::gallery_json(rows)));
 }

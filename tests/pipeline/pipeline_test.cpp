@@ -165,5 +165,44 @@ TEST_F(Pipeline, NamesTheFilesThatAModelIsMadeOf) {
   EXPECT_THAT(found, testing::UnorderedElementsAre(testing::Pair("a.mtl", testing::SizeIs(32)), testing::Pair("missing.mtl", "")));
 }
 
+// ---- The search
+
+ModelOptions searched(double max_kb) {
+  ModelOptions options;
+  options.fit.max_kb = max_kb;
+  options.publish.certificate = false;
+  return options;
+}
+
+TEST_F(Pipeline, SearchesWhatFitsTheCeiling) {
+  add("painted.obj", test::painted_model(test::bumpy_sphere(96, 48)));
+  add("plain.obj", test::plain_model(test::bumpy_sphere(96, 48)));
+  for (ModelRow const& row : run(archive(), "gallery", 2, 0, searched(4))) {
+    ASSERT_EQ(row.status, "done") << describe(row);
+    EXPECT_LE(row.bytes.total, 4000u);
+    EXPECT_GT(row.bytes.total, 3500u);
+    EXPECT_EQ(thumb(row).size(), row.bytes.total);
+    ASSERT_TRUE(row.recipe);
+    EXPECT_GT(row.trials.size(), 2u);
+  }
+}
+
+TEST_F(Pipeline, SearchesTheSameAtAnyThreadCount) {
+  add("a.obj", test::painted_model(test::bumpy_sphere(64, 32)));
+  add("b.obj", test::plain_model(test::torus()));
+  std::vector<ModelRow> const one = run(archive(), "one", 1, 0, searched(3)), two = run(archive(), "two", 2, 0, searched(3));
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].recipe, two[i].recipe);
+    EXPECT_EQ(thumb(one[i], "one"), thumb(two[i], "two"));
+  }
+}
+
+TEST_F(Pipeline, SaysWhenACeilingCannotBeMet) {
+  add("a.obj", test::painted_model(test::bumpy_sphere(64, 32)));
+  ModelRow const row = run(archive(), "gallery", 2, 0, searched(0.5))[0];
+  EXPECT_EQ(row.failure.stage, "search");
+  EXPECT_THAT(row.failure.remedy, HasSubstr("--max-kb"));
+}
+
 }  // namespace
 }  // namespace vitrine::graph

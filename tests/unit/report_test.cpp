@@ -35,7 +35,7 @@ TEST(Report, TellsAFailureInOneLine) {
 }
 
 TEST(Report, HasOneRowPerInputInOrder) {
-  auto const json = report_json({done(), failed()}, {"/archive", {{"triangles", 3000}}, 2.0});
+  auto const json = report_json({done(), failed()}, "/archive", {{"triangles", 3000}}, 2.0);
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["done"], 1);
   EXPECT_EQ(json["failed"], 1);
@@ -47,7 +47,7 @@ TEST(Report, HasOneRowPerInputInOrder) {
 }
 
 TEST(Report, SumsTheTimeOfEachStage) {
-  auto const stages = report_json({done(), failed()}, {"/archive", {}, 2.0})["stages"];
+  auto const stages = report_json({done(), failed()}, "/archive", {}, 2.0)["stages"];
   ASSERT_EQ(stages.size(), 2);
   EXPECT_EQ(stages[0]["stage"], "load");
   EXPECT_EQ(stages[0]["models"], 2);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph/study.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace vitrine::graph {
+namespace {
+
+/// The options as a recipe has them. Colours and shapes are fitted, so the maps need no normals.
+ModelOptions with_recipe(ModelOptions options, Recipe const& recipe) {
+  options.simplify.triangles = recipe.triangles;
+  options.quantize.position_bits = recipe.position_bits;
+  options.pack.texture = recipe.texture;
+  options.bake.normal_map = false;
+  options.bake.vertex_normals = recipe.shading == Shading::smooth;
+  options.encode.colour_quality = recipe.map_quality;
+  return options;
+}
+
+/// What --triangles and --texture leave open.
+ModelOptions settled(ModelOptions options) {
+  if (options.simplify.triangles == 0) options.simplify.triangles = SimplifyOptions{}.triangles;
+  if (options.pack.texture == 0) options.pack.texture = PackOptions{}.texture;
+  return options;
+}
+
+}  // namespace
+
+Study::Study(Subject const& subject, ModelOptions const& options)
+    : subject_(subject), options_(options), trial_options_(settled(options)) {}
+
+bool Study::advance() {
+  if (!searches(options_)) return history_.empty();
+  std::optional<Recipe> const next = next_trial(subject_, options_.fit, history_);
+  if (!next) return false;
+  recipe_ = *next;
+  trial_options_ = with_recipe(options_, recipe_);
+  return true;
+}
+
+bool Study::wants_atlas() const { return !searches(options_) || recipe_.painting == Painting::map; }
+
+void Study::keep(std::shared_ptr<FlatCharts const> charts) {
+  charts_ = std::move(charts);
+  charts_recipe_ = recipe_;
+}
+
+std::shared_ptr<FlatCharts const> Study::charts() const {
+  auto const shape = [](Recipe const& r) { return std::tuple(r.triangles, r.colour_weight, r.shading); };
+  return wants_atlas() && charts_ && shape(charts_recipe_) == shape(recipe_) ? charts_ : nullptr;
+}
+
+void Study::add(Made const& made, std::shared_ptr<EncodedThumbnail const> file, double error, double score) {
+  std::size_t const maps = made.bytes.colour + made.bytes.normal + made.bytes.occlusion;
+  history_.push_back({recipe_, made.bytes.total, maps, error, score});
+  made_.push_back({made, std::move(file)});
+  if (searches(options_)) made_.back().made.recipe = recipe_;
+}
+
+void Study::add_failure(Failure const& failure) {
+  history_.push_back(failed_trial(recipe_));
+  made_.emplace_back();
+  last_failure_ = failure;
+}
+
+Failure const* Study::failure() const {
+  bool const any = std::any_of(made_.begin(), made_.end(), [](Winner const& made) { return made.file != nullptr; });
+  return any ? nullptr : &last_failure_;
+}
+
+Study::Winner const& Study::winner() const {
+  return made_[searches(options_) ? best_trial(options_.fit, history_) : 0];
+}
+
+}  // namespace vitrine::graph

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/fit.h"
+
+#include "stages/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+// Measured on scans: near any number of bytes, error falls with their power.
+constexpr double kErrorPower = 1.2;
+constexpr double kFill = 0.975;     ///< of the ceiling: what explorations aim for
+constexpr double kLand = 0.99;      ///< of the ceiling: what the last trials aim for
+constexpr double kFull = 0.97;      ///< of the ceiling: a file this large leaves nothing to gain
+constexpr double kFirstKb = 8;      ///< where a search by error begins
+constexpr double kHeaderBytes = 900;
+constexpr double kMiss = 0.12;      ///< relative: a trial this far from what was aimed at is asked again
+constexpr double kMapShare = 0.5;   ///< of the bytes: a first map has no more
+constexpr int kFewest = 40;         ///< triangles
+constexpr int kSteps = 3;          ///< in one direction
+constexpr int kLandings = 6;        ///< trials that may be spent on meeting the limit
+
+/// Bytes of a triangle, roughly: where the first trial aims.
+double expected_rate(Recipe const& recipe) {
+  double rate = 0.25 + 0.1 * recipe.position_bits;
+  if (recipe.shading == Shading::smooth) rate += 0.45;
+  if (recipe.painting == Painting::vertices) rate += 0.07 * recipe.colour_bits;
+  if (recipe.painting == Painting::map) rate += 0.7;
+  return rate;
+}
+
+double expected_texel_bytes(int quality) { return (0.25 + 0.009 * quality) / 8; }
+
+double expected_map_bytes(Recipe const& recipe) {
+  if (recipe.painting != Painting::map) return 0;
+  return recipe.texture * double(recipe.texture) * expected_texel_bytes(recipe.map_quality);
+}
+
+/// Of a trial, as far as its few triangles tell.
+double rate_of(Trial const& trial) {
+  double const geometry = double(trial.bytes) - double(trial.map_bytes) - kHeaderBytes;
+  return std::max(geometry / trial.recipe.triangles, expected_rate(trial.recipe) / 2);
+}
+
+/// What a recipe with this many triangles will take, as trials of its like did.
+class ByteModel {
+ public:
+  ByteModel(Recipe const& recipe, std::span<Trial const> history) : rate_(expected_rate(recipe)), map_(expected_map_bytes(recipe)) {
+    for (Trial const& trial : history) {
+      if (trial.recipe.painting != recipe.painting || std::isinf(trial.error)) continue;
+      rate_ = rate_of(trial) * expected_rate(recipe) / expected_rate(trial.recipe);
+      if (trial.map_bytes > 0)
+        map_ = double(trial.map_bytes) * expected_map_bytes(recipe) / expected_map_bytes(trial.recipe);
+    }
+  }
+
+  int triangles(double bytes) const { return int(std::max(0.0, (bytes - kHeaderBytes - map_) / rate_)); }
+
+ private:
+  double rate_, map_;
+};
+
+/// The best trial that keeps within the limits.
+std::optional<std::size_t> best_within(FitOptions const& options, std::span<Trial const> history) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    Trial const& t = history[i];
+    if (double(t.bytes) > 1000 * options.max_kb || (options.max_error > 0 && t.error > options.max_error)) continue;
+    bool const better =
+        !best || (options.max_error > 0 ? t.bytes < history[*best].bytes : t.score < history[*best].score);
+    if (better) best = i;
+  }
+  return best;
+}
+
+class Search {
+ public:
+  Search(Subject const& subject, FitOptions const& options, std::span<Trial const> history)
+      : subject_(subject), options_(options), history_(history) {}
+
+  /// Asks the same questions in the same order each time, and answers those that the history answers.
+  std::optional<Recipe> next() {
+    if (explore() == Answer::none) return asked_;
+    if (std::optional<Recipe> const recipe = land()) return recipe;
+    return fill_up();
+  }
+
+ private:
+  double ceiling() const { return 1000 * options_.max_kb; }
+  double aim() const { return kFill * (options_.max_error > 0 ? std::min(1000 * kFirstKb, ceiling()) : ceiling()); }
+  int most() const { return int(std::min<std::size_t>(subject_.triangles, 1u << 20)); }
+
+  enum class Answer { none, worse, better };
+  using Change = void (*)(Recipe&);
+
+  Answer explore() {
+    for (auto part : {&Search::start, &Search::choose_painting, &Search::choose_colour_quadrics, &Search::choose_texture,
+                      &Search::choose_quality, &Search::choose_shading, &Search::choose_bits, &Search::choose_colours})
+      if ((this->*part)() == Answer::none) return Answer::none;
+    return Answer::worse;
+  }
+
+  // ---- Questions: a change to the best recipe so far, where it may pay
+
+  Answer start() {
+    Recipe recipe;
+    recipe.painting = subject_.needs_map ? Painting::map : subject_.coloured ? Painting::vertices : Painting::none;
+    if (aim() < 6500) recipe.position_bits = 9;
+    recipe.texture = first_texture();
+    return ask(recipe);
+  }
+
+  int first_texture() const {
+    double const texels = kMapShare * aim() / expected_texel_bytes(Recipe{}.map_quality);
+    return std::clamp(int(std::sqrt(texels)) / 4 * 4, 16, 1024);
+  }
+
+  Answer choose_painting() {
+    if (!subject_.textured || best().painting == Painting::map) return Answer::worse;
+    Recipe recipe = best();
+    recipe.painting = Painting::map;
+    recipe.texture = first_texture();
+    if (ask(recipe) == Answer::none) return Answer::none;
+    recipe = asked_;  // its size of the map
+    recipe.shading = Shading::smooth;
+    return ask(recipe);
+  }
+
+  Answer choose_colour_quadrics() {
+    if (!subject_.coloured) return Answer::worse;
+    return ask_with([](Recipe& r) { r.colour_weight = 0.02; });
+  }
+
+  Answer choose_texture() {
+    if (best().painting != Painting::map) return Answer::worse;
+    return walk(&Search::answer_to, [](Recipe& r) { r.texture = r.texture * 5 / 4; },
+                [](Recipe& r) { r.texture = r.texture * 4 / 5; });
+  }
+
+  Answer choose_quality() {
+    if (best().painting != Painting::map) return Answer::worse;
+    return walk(&Search::answer_to, [](Recipe& r) { r.map_quality -= r.map_quality / 3; },
+                [](Recipe& r) { r.map_quality += (100 - r.map_quality) / 3; });
+  }
+
+  /// Many facets shade better than fewer smooth triangles, up to some size of the file.
+  Answer choose_shading() {
+    if ((aim() < 7000 && !is_whole(history_[best_])) || best().shading == Shading::smooth) return Answer::worse;
+    return ask_with([](Recipe& r) { r.shading = Shading::smooth; });
+  }
+
+  Answer choose_bits() {
+    Change const fewer = [](Recipe& r) { r.position_bits = std::max(r.position_bits - 1, 8); };
+    Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, 14); };
+    return aim() < 11000 ? walk(&Search::ask, fewer, more) : walk(&Search::ask, more, fewer);
+  }
+
+  Answer choose_colours() {
+    if (best().painting != Painting::vertices) return Answer::worse;
+    bool const small = aim() < 12000;
+    Answer const bits = small ? ask_with([](Recipe& r) { --r.colour_bits; }) : ask_with([](Recipe& r) { ++r.colour_bits; });
+    if (bits == Answer::none) return bits;
+    return small ? ask_with([](Recipe& r) { r.smoothing *= 10; }) : ask_with([](Recipe& r) { r.smoothing /= 10; });
+  }
+
+  // ---- Answers
+
+  Recipe const& best() const { return history_[best_].recipe; }
+
+  Answer ask_with(Change change) {
+    Recipe recipe = best();
+    change(recipe);
+    return ask(recipe);
+  }
+
+  /// One way as long as that pays, else the other way.
+  Answer walk(Answer (Search::*question)(Recipe), Change one, Change other) {
+    for (Change change : {one, other}) {
+      for (int step = 0; step < kSteps; ++step) {
+        Recipe recipe = best();
+        change(recipe);
+        Answer const answer = (this->*question)(recipe);
+        if (answer == Answer::none) return answer;
+        if (answer == Answer::worse && step == 0) break;
+        if (answer == Answer::worse || step == kSteps - 1) return answer;
+      }
+    }
+    return Answer::worse;
+  }
+
+  /// The recipe with as many triangles as the bytes allow; once more where it misses them by far, as then two recipes
+  /// cannot be compared.
+  Answer ask(Recipe recipe) {
+    std::size_t const before = best_;
+    recipe.triangles = affordable(recipe);
+    Answer answer = answer_to(recipe);
+    if (answer == Answer::none) return answer;
+    Trial const& first = history_[answered_ - 1];
+    if (std::isinf(first.error) || std::abs(std::log(double(first.bytes) / aim())) < kMiss) return answer;
+    double const share = double(first.map_bytes) / (kMapShare * aim());
+    if (share > 1) recipe.texture = std::max(16, int(recipe.texture / std::sqrt(share)));
+    int const triangles = affordable(recipe);
+    if (triangles == recipe.triangles && share <= 1) return answer;
+    recipe.triangles = triangles;
+    answer = answer_to(recipe);
+    return answer == Answer::none ? answer : best_ == before ? Answer::worse : Answer::better;
+  }
+
+  int affordable(Recipe const& recipe) const {
+    int const triangles = ByteModel(recipe, history_.first(answered_)).triangles(aim());
+    return std::clamp(triangles, kFewest, std::max(kFewest, most()));
+  }
+
+  /// What the history says; the better of both recipes is the best one from here on.
+  Answer answer_to(Recipe recipe) {
+    asked_ = recipe;
+    if (answered_ == history_.size()) return Answer::none;
+    bool const better = answered_ == 0 || cost(history_[answered_]) < cost(history_[best_]) - 0.01;
+    if (better) best_ = answered_;
+    ++answered_;
+    return better ? Answer::better : Answer::worse;
+  }
+
+  bool is_whole(Trial const& trial) const { return trial.recipe.triangles >= most(); }
+
+  /// Logarithm of the error that the recipe would have with as many triangles as the bytes allow.
+  double cost(Trial const& trial) const {
+    if (std::isinf(trial.error)) return trial.error;
+    double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / rate_of(trial);
+    double const triangles = std::clamp(allowed, 1.0, std::max(1.0, double(most())));
+    return std::log(std::max(trial.score, 1e-9)) - kErrorPower * std::log(triangles / trial.recipe.triangles);
+  }
+
+  // ---- The end: as many triangles as the limit allows, or as few as it needs
+
+  std::optional<Recipe> land() {
+    std::vector<Trial> like;
+    for (std::size_t i = 0; i < answered_; ++i)
+      if (is_like(history_[i])) like.push_back(history_[i]);
+    for (int landing = 0; landing < kLandings && !like.empty(); ++landing) {
+      std::optional<int> const triangles = options_.max_error > 0 ? for_error(like) : for_bytes(like);
+      if (!triangles) return {};
+      Recipe recipe = best();
+      recipe.triangles = *triangles;
+      asked_ = recipe;
+      if (answered_ == history_.size()) return asked_;
+      if (is_like(history_[answered_])) like.push_back(history_[answered_]);
+      ++answered_;
+    }
+    return {};
+  }
+
+  /// Whether only the number of triangles tells it from the best one.
+  bool is_like(Trial const& trial) const {
+    Recipe recipe = trial.recipe;
+    recipe.triangles = best().triangles;
+    return recipe == best() && !std::isinf(trial.error);
+  }
+
+  /// Between the largest file that fits and the smallest that does not.
+  std::optional<int> for_bytes(std::span<Trial const> like) const {
+    Trial const *below = nullptr, *above = nullptr;
+    for (Trial const& t : like) {
+      bool const fits = double(t.bytes) <= ceiling();
+      if (fits && (!below || t.recipe.triangles > below->recipe.triangles)) below = &t;
+      if (!fits && (!above || t.recipe.triangles < above->recipe.triangles)) above = &t;
+    }
+    if (below && (is_whole(*below) || double(below->bytes) >= kFull * ceiling())) return {};
+    Trial const& from = below ? *below : *above;
+    if (!below && from.recipe.triangles <= kFewest) return {};
+    double const rate = below && above ? (double(above->bytes) - double(below->bytes)) /
+                                             double(above->recipe.triangles - below->recipe.triangles)
+                                       : rate_of(from);
+    int const triangles = from.recipe.triangles + int((kLand * ceiling() - double(from.bytes)) / std::max(0.1, rate));
+    int const low = below ? below->recipe.triangles + 1 : kFewest, high = above ? above->recipe.triangles - 1 : most();
+    if (low > high) return {};
+    return std::clamp(triangles, low, high);
+  }
+
+  /// By the power law through the nearest trial; done within 4 % of the limit.
+  std::optional<int> for_error(std::span<Trial const> like) const {
+    Trial const *good = nullptr, *bad = nullptr;
+    for (Trial const& t : like) {
+      bool const fits = t.error <= options_.max_error;
+      if (fits && (!good || t.recipe.triangles < good->recipe.triangles)) good = &t;
+      if (!fits && (!bad || t.recipe.triangles > bad->recipe.triangles)) bad = &t;
+    }
+    if (good && (good->error >= 0.96 * options_.max_error || good->recipe.triangles <= kFewest)) return {};
+    if (!good && is_whole(*bad)) return {};
+    Trial const& from = good ? *good : *bad;
+    double const factor = std::pow(std::max(from.error, 1e-6) / (0.98 * options_.max_error), 1 / kErrorPower);
+    int const low = bad ? bad->recipe.triangles + 1 : kFewest, high = good ? good->recipe.triangles - 1 : most();
+    if (low > high) return {};
+    return std::clamp(int(std::min(from.recipe.triangles * factor, 1e6)), low, high);
+  }
+
+  /// An original of few triangles leaves bytes for a larger map.
+  std::optional<Recipe> fill_up() {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      std::optional<std::size_t> const winner = best_within(options_, history_.first(answered_));
+      if (!winner || options_.max_error > 0) return {};
+      Trial const& trial = history_[*winner];
+      if (trial.map_bytes == 0 || !is_whole(trial) || double(trial.bytes) > kFull * ceiling()) return {};
+      double const room = (kFill * ceiling() - double(trial.bytes) + double(trial.map_bytes)) / double(trial.map_bytes);
+      asked_ = trial.recipe;
+      asked_.texture = std::min(8192, int(asked_.texture * std::sqrt(std::min(room, 4.0))));
+      if (answered_ == history_.size()) return asked_;
+      ++answered_;
+    }
+    return {};
+  }
+
+  Subject subject_;
+  FitOptions options_;
+  std::span<Trial const> history_;
+  std::size_t answered_ = 0, best_ = 0;
+  Recipe asked_;
+};
+
+std::string text(double value) {
+  std::string digits = std::to_string(value);
+  return digits.substr(0, digits.find('.') + 3);
+}
+
+}  // namespace
+
+Trial failed_trial(Recipe const& recipe) {
+  constexpr double worst = std::numeric_limits<double>::infinity();
+  return {recipe, std::numeric_limits<std::size_t>::max(), 0, worst, worst};
+}
+
+std::optional<Recipe> next_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {
+  return Search(subject, options, history).next();
+}
+
+std::size_t best_trial(FitOptions const& options, std::span<Trial const> history) {
+  if (std::optional<std::size_t> const best = best_within(options, history)) return *best;
+  auto const smaller = [](Trial const& a, Trial const& b) { return a.bytes < b.bytes; };
+  auto const nearer = [](Trial const& a, Trial const& b) { return a.error < b.error; };
+  Trial const smallest = *std::min_element(history.begin(), history.end(), smaller);
+  Trial const nearest = *std::min_element(history.begin(), history.end(), nearer);
+  if (options.max_error > 0)
+    throw Error(ErrorKind::no_solution,
+                "no file of " + text(options.max_kb) + " KB has an error of " + text(options.max_error) + "; the least found is " +
+                    text(nearest.error) + " at " + text(double(nearest.bytes) / 1000) + " KB",
+                "raise --max-kb or --max-error");
+  throw Error(ErrorKind::no_solution,
+              "no file keeps to " + text(options.max_kb) + " KB; the smallest found has " + text(double(smallest.bytes) / 1000) + " KB",
+              "raise --max-kb");
+}
+
+}  // namespace vitrine

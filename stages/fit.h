@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// The search for the best thumbnail that a number of bytes can hold: what to try next, and which trial won.
+///
+/// One question at a time, each answered by one trial near the ceiling (more or fewer bits, colours per vertex or in a
+/// texture, facets or normals), keeping what lowers the error at equal bytes; then the number of triangles that fills
+/// the ceiling. Everything follows from the history of trials, so the search is deterministic and holds no state.
+
+#include "stages/data.h"
+#include "stages/options.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+struct FitOptions {
+  double max_kb = 16;
+  double max_error = 0;
+  double pixel_ratio = 2;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.max_kb, Field{"max-kb", "KB of 1000 bytes", "no file is larger; the search spends them where they show most", 1, 1e5});
+    visit(self.max_error,
+          Field{"max-error", "MSE x 10^4", "0: fill --max-kb; else the smallest file whose measured error is at most this", 0, 1e4});
+    visit(self.pixel_ratio,
+          Field{"pixel-ratio", "", "device pixels per CSS pixel of the screens for which the search decides", 0.5, 4});
+  }
+};
+
+enum class Shading {
+  facets,  ///< no normals: clients draw each face flat
+  smooth   ///< a normal per vertex
+};
+template <>
+struct EnumNames<Shading> {
+  static constexpr std::array<std::string_view, 2> names{"facets", "smooth"};
+};
+
+enum class Painting {
+  none,      ///< one colour, or none
+  vertices,  ///< a colour per vertex
+  map        ///< a texture over an atlas of charts
+};
+template <>
+struct EnumNames<Painting> {
+  static constexpr std::array<std::string_view, 3> names{"none", "vertices", "map"};
+};
+
+/// All that a trial decides.
+struct Recipe {
+  int triangles = 0;
+  Shading shading = Shading::facets;
+  Painting painting = Painting::none;
+  double colour_weight = 0;  ///< of colour in the quadrics, see progression.h
+  int position_bits = 10;
+  int colour_bits = 6;       ///< of each colour per vertex
+  double smoothing = 0.1;    ///< of colours per vertex, see paint.h
+  int texture = 256;         ///< texels
+  int map_quality = 50;      ///< of 100
+  bool operator==(Recipe const&) const = default;
+};
+
+/// What the search knows of an original.
+struct Subject {
+  std::size_t triangles = 0;  ///< of the original: no recipe has more
+  bool coloured = false;      ///< colour varies over the surface
+  bool textured = false;      ///< and finer than its vertices
+  bool needs_map = false;     ///< transparency or occlusion, which only a texture can hold
+};
+
+struct Trial {
+  Recipe recipe;
+  std::size_t bytes = 0, map_bytes = 0;  ///< of the file, and of the images in it
+  double error = 0;                      ///< MSE x 10^4
+  double score = 0;                      ///< error x (1 - SSIM): visible facets, blocks and seams cost, too
+};
+
+/// A recipe that could not be carried out, for the history: nothing is worse.
+Trial failed_trial(Recipe const& recipe);
+
+/// The next thing to try; nothing when the search is over. Ends after 30 trials at most, mostly after ten.
+std::optional<Recipe> next_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history);
+
+/// Index of the trial to publish, once the search is over.
+/// Errors: NoSolution when no trial keeps within the limits, with the least that could be reached.
+std::size_t best_trial(FitOptions const& options, std::span<Trial const> history);
+
+}  // namespace vitrine

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search in worlds whose bytes and errors are formulas.
+#include "stages/fit.h"
+
+#include "stages/error.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace vitrine {
+namespace {
+
+using testing::HasSubstr;
+
+/// What a recipe costs and how far off it is.
+struct World {
+  double facet_rate = 1.3, vertex_rate = 0.5, map_bits = 0.8;
+  std::function<double(Recipe const&)> penalty = [](Recipe const&) { return 1.0; };
+
+  Trial operator()(Recipe const& recipe) const {
+    double map = 0, rate = facet_rate + 0.1 * (recipe.position_bits - 10);
+    if (recipe.painting == Painting::vertices) rate += vertex_rate;
+    if (recipe.painting == Painting::map) map = map_bits / 8 * recipe.texture * recipe.texture * recipe.map_quality / 50.0, rate += 0.8;
+    if (recipe.shading == Shading::smooth) rate += 0.5;
+    double const error = 2000 * penalty(recipe) / std::pow(recipe.triangles, 1.2);
+    return {recipe, std::size_t(700 + map + rate * recipe.triangles), std::size_t(map), error, error * 0.05};
+  }
+};
+
+std::vector<Trial> search(Subject const& subject, FitOptions const& options, World const& world) {
+  std::vector<Trial> history;
+  while (std::optional<Recipe> const recipe = next_trial(subject, options, history)) {
+    history.push_back(world(*recipe));
+    if (history.size() > 40) break;
+  }
+  return history;
+}
+
+Trial winner(Subject const& subject, FitOptions const& options, World const& world) {
+  std::vector<Trial> const history = search(subject, options, world);
+  return history[best_trial(options, history)];
+}
+
+constexpr Subject kPlain{100'000, false, false, false}, kPainted{100'000, true, false, false}, kPhoto{100'000, true, true, false};
+
+TEST(Fit, FillsTheCeilingAndNeverExceedsIt) {
+  for (Subject const& subject : {kPlain, kPainted, kPhoto})
+    for (double kb : {2.0, 5.0, 8.0, 16.0, 32.0, 100.0}) {
+      Trial const best = winner(subject, {.max_kb = kb}, {});
+      EXPECT_LE(double(best.bytes), 1000 * kb);
+      EXPECT_GE(double(best.bytes), 940 * kb) << kb;
+    }
+}
+
+TEST(Fit, EndsSoon) {
+  for (Subject const& subject : {kPlain, kPainted, kPhoto})
+    for (double kb : {1.0, 8.0, 32.0}) EXPECT_LE(search(subject, {.max_kb = kb}, {}).size(), 30u);
+}
+
+TEST(Fit, TakesWhatLowersTheErrorAtEqualBytes) {
+  World maps_win, vertices_win;
+  maps_win.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 0.2 : 1; };
+  vertices_win.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 2 : 1; };
+  EXPECT_EQ(winner(kPhoto, {.max_kb = 16}, maps_win).recipe.painting, Painting::map);
+  EXPECT_EQ(winner(kPhoto, {.max_kb = 16}, vertices_win).recipe.painting, Painting::vertices);
+}
+
+TEST(Fit, UsesNormalsOnlyWhereTheyPay) {
+  World normals_win;
+  normals_win.penalty = [](Recipe const& r) { return r.shading == Shading::smooth ? 0.3 : 1; };
+  EXPECT_EQ(winner(kPlain, {.max_kb = 24}, normals_win).recipe.shading, Shading::smooth);
+  EXPECT_EQ(winner(kPlain, {.max_kb = 24}, {}).recipe.shading, Shading::facets);
+}
+
+TEST(Fit, SpendsOnTheMapWhatTheOriginalsFewTrianglesLeave) {
+  World world;
+  world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 256.0 / r.texture : 4; };
+  Subject const box{24, true, true, false};
+  Trial const best = winner(box, {.max_kb = 16}, world);
+  EXPECT_LE(best.recipe.triangles, 40);
+  EXPECT_GT(best.recipe.texture, 256);
+}
+
+TEST(Fit, KeepsWhatCutsOutInAMap) {
+  Subject const leaf{50'000, true, true, true};
+  for (Trial const& trial : search(leaf, {.max_kb = 8}, {})) EXPECT_EQ(trial.recipe.painting, Painting::map);
+}
+
+TEST(Fit, FindsTheSmallestFileBelowAnError) {
+  Trial const best = winner(kPlain, {.max_kb = 100, .max_error = 0.3}, {});
+  EXPECT_LE(best.error, 0.3);
+  EXPECT_GE(best.error, 0.28);
+}
+
+TEST(Fit, SaysWhatItReachedWhenALimitCannotBeMet) {
+  FitOptions const tiny{.max_kb = 1};
+  World heavy;
+  heavy.facet_rate = 20;
+  std::vector<Trial> const history = search(kPlain, tiny, heavy);
+  try {
+    best_trial(tiny, history);
+    FAIL() << "1 KB was met";
+  } catch (Error const& e) {
+    EXPECT_THAT(e.what(), HasSubstr("1.00 KB"));
+    EXPECT_THAT(e.remedy(), HasSubstr("--max-kb"));
+  }
+  FitOptions const strict{.max_kb = 4, .max_error = 1e-4};
+  EXPECT_THROW(best_trial(strict, search(kPlain, strict, {})), Error);
+}
+
+}  // namespace
+}  // namespace vitrine
