@@ -18,12 +18,14 @@ namespace vitrine::graph {
 /// What is written beside each thumbnail.
 struct PublishOptions {
   bool certificate = true;
+  bool series = false;
   int viewport = 200;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.certificate,
           Field{"certificate", "", "measure each written file against its original and write certificate.json"});
+    visit(self.series, Field{"series", "", "write the rival, too: a turntable of pictures in series/"});
     visit(self.viewport, Field{"viewport", "pixels", "side of the pictures that are measured, and of poster.jpg", 11, 1024});
   }
 };

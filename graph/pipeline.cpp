@@ -190,7 +190,8 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   });
 
   auto certify_ = node.operator()<EncodedThumbnail, Finished>(
-      flow::unlimited, "certify", [](In<EncodedThumbnail> const& in, Job& job) { return certify(*in, job); });
+      flow::unlimited, "certify",
+      [&](In<EncodedThumbnail> const& in, Job& job) { return certify(*in, options.publish, job); });
   auto publish = node.operator()<Finished, Published>(1, "publish", [&](In<Finished> const& in, Job& job) {
     publish_model(*in, options, run.gallery, job);
     return Published{};

@@ -82,6 +82,7 @@ json row_json(ModelRow const& row) {
   } else {
     out["thumb"] = row.thumb;
     out["poster"] = row.poster;
+    if (!row.series_folder.empty()) out["seriesFolder"] = row.series_folder;
     if (!row.certificate.empty()) out["certificate"] = row.certificate;
     out.update(outcome_json(row));
   }

@@ -53,7 +53,7 @@ struct ModelRow : Made {
   std::map<std::string, std::string> metadata;
   std::string status = "failed";  ///< "done" or "failed"
   Failure failure;                ///< of a failed one
-  std::string thumb, poster, certificate;  ///< paths in the gallery, of a finished one; "": not written
+  std::string thumb, poster, series_folder, certificate;  ///< paths in the gallery, of a finished one; "": not written
 
   std::string input_hash;
   io::Dependencies dependencies;

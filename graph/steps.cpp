@@ -203,7 +203,7 @@ void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
 // ---- The winner
 // ---------------------------------------------------------------------------------------------------------------
 
-Finished certify(EncodedThumbnail const& thumbnail, Job& job) {
+Finished certify(EncodedThumbnail const& thumbnail, PublishOptions const& options, Job& job) {
   Reference const& reference = job.original->reference;
   ModelRow& row = job.row;
   std::vector<Image> drawn = pictures(decode(thumbnail), reference);
@@ -212,7 +212,9 @@ Finished certify(EncodedThumbnail const& thumbnail, Job& job) {
     row.series = series_sizes(reference);
     row.verdict = verdict(row.bytes.total, row.measurement->mean.mse1e4, rivals(row.series));
   }
-  return {thumbnail, std::move(drawn.front())};
+  Finished finished{thumbnail, std::move(drawn.front()), {}};
+  if (options.series) finished.series = series_files(job.original->model, reference, SeriesOptions{});
+  return finished;
 }
 
 void publish_model(Finished const& finished, ModelOptions const& options, fs::path const& gallery, Job& job) {
@@ -222,6 +224,10 @@ void publish_model(Finished const& finished, ModelOptions const& options, fs::pa
   row.poster = folder / "poster.jpg";
   io::publish_file(gallery / row.thumb, finished.thumbnail.glb);
   io::publish_file(gallery / row.poster, poster_jpeg(finished.poster));
+  if (finished.series) {
+    row.series_folder = folder / "series";
+    publish_series(gallery / row.series_folder, *finished.series);
+  }
   if (row.measurement) {
     row.certificate = folder / "certificate.json";
     io::publish_file(gallery / row.certificate, to_text(certificate_json(row, options)));

@@ -5,6 +5,7 @@
 
 #include "graph/message.h"
 #include "graph/options.h"
+#include "graph/series_files.h"
 #include "stages/clean.h"
 
 #include <filesystem>
@@ -15,6 +16,7 @@ namespace vitrine::graph {
 struct Finished {
   EncodedThumbnail thumbnail;
   Image poster;
+  std::optional<SeriesFiles> series;
 };
 
 CleanModel load_model(Job& job, io::ReadOptions const& options);
@@ -34,7 +36,7 @@ void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job);
 
 // ---- The winner
 
-Finished certify(EncodedThumbnail const& thumbnail, Job& job);
+Finished certify(EncodedThumbnail const& thumbnail, PublishOptions const& options, Job& job);
 /// Writes the model's folder: the data first, the certificate last, so that a certificate vouches for what is there.
 void publish_model(Finished const& finished, ModelOptions const& options, std::filesystem::path const& gallery, Job& job);
 

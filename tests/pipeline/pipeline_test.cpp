@@ -158,6 +158,16 @@ TEST_F(Pipeline, CertifiesWhatItPublished) {
   EXPECT_EQ(file(row.certificate, "again"), file(row.certificate));
 }
 
+TEST_F(Pipeline, WritesTheRivalWhenAsked) {
+  add("a.obj", test::painted_model(test::bumpy_sphere(24, 12)));
+  ModelOptions options = small_thumbnails();
+  options.publish.series = true;
+  ModelRow const row = run(archive(), "gallery", 2, 0, options)[0];
+  auto const manifest = nlohmann::json::parse(file(row.series_folder + "/series.json"));
+  EXPECT_EQ(manifest["frames"], 32);
+  EXPECT_EQ(file(row.series_folder + "/" + manifest["files"][0]["file"].get<std::string>()).substr(0, 2), "\xFF\xD8");
+}
+
 TEST_F(Pipeline, NamesTheFilesThatAModelIsMadeOf) {
   add_text("a.obj", "mtllib a.mtl\nmtllib missing.mtl\n" + test::obj_text(test::plain_model(test::cube())));
   add_text("a.mtl", "newmtl red\nKd 1 0 0\n");
