@@ -109,6 +109,16 @@ void print_summary(SeriesCommand const& command, Json const& manifest) {
 
 }  // namespace
 
+void take_paper_series(SeriesCommand& command, int frames, std::function<bool(char const* flag)> const& given) {
+  auto const unless_given = [&](char const* flag, auto& value, auto paper) {
+    if (!given(flag)) value = paper;
+  };
+  unless_given("--frames", command.series.frames, frames);
+  unless_given("--rows", command.series.rows, 1);
+  unless_given("--codec", command.series.codec, SeriesCodec::jpeg);
+  unless_given("--size", command.measure.size, 200);
+}
+
 std::vector<fs::path> pictures_in(fs::path const& folder) {
   std::vector<fs::path> files;
   for (fs::directory_entry const& entry : fs::directory_iterator(folder))

@@ -7,6 +7,8 @@
 #include "io/read_model.h"
 
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 namespace vitrine::tools {
 
@@ -21,6 +23,10 @@ struct SeriesCommand {
   bool all_pictures = true;  ///< as many frames as there are pictures; else every so many, as --frames says
   bool json = false;         ///< print series.json instead of a summary
 };
+
+/// The image series of the paper's table 2: so many views of 200 pixels, JPEG (whose usual quality is the paper's 90). What
+/// the user has `given` stays: it is asked for "--frames", "--rows", "--codec" and "--size".
+void take_paper_series(SeriesCommand& command, int frames, std::function<bool(char const* flag)> const& given);
 
 /// Writes the series, prints what it weighs.
 /// Errors: those of the readers, naming the file; InvalidInput where the pictures are not enough or no picture is there.

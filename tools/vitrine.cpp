@@ -101,25 +101,9 @@ Verb report_verb(CLI::App& app) {
   return [command] { return report::report(*command); };
 }
 
-/// The image series of the paper's table 2: 8, 16 or 32 views of 200 pixels, JPEG (whose usual quality is the paper's 90).
-struct PaperSeries {
-  int frames = 0;  ///< 0: not asked for
-
-  void apply(CLI::App const& app, tools::SeriesCommand& command) const {
-    auto const unless_given = [&](char const* flag, auto& value, auto preset) {
-      if (frames > 0 && app.get_option(flag)->count() == 0) value = preset;
-    };
-    unless_given("--frames", command.series.frames, frames);
-    unless_given("--rows", command.series.rows, 1);
-    unless_given("--codec", command.series.codec, SeriesCodec::jpeg);
-    unless_given("--size", command.measure.size, 200);
-    command.all_pictures = frames == 0 && app.get_option("--frames")->count() == 0;
-  }
-};
-
 Verb series_verb(CLI::App& app) {
   auto command = std::make_shared<tools::SeriesCommand>();
-  auto preset = std::make_shared<PaperSeries>();
+  auto preset = std::make_shared<int>(0);
   CLI::Option* original = app.add_option("original", command->original, "the model to draw")->check(CLI::ExistingFile);
   app.add_option("--from", command->pictures, "or a folder of pictures, photographs say, in the order of their names")
       ->check(CLI::ExistingDirectory)
@@ -127,7 +111,7 @@ Verb series_verb(CLI::App& app) {
       ->excludes(original);
   app.add_option("--out", command->out, "folder of the series, made if missing")->required()->type_name("FOLDER");
   std::map<std::string, int> const presets{{"paper-8", 8}, {"paper-16", 16}, {"paper-32", 32}};
-  app.add_option("--preset", preset->frames, "the paper's series: JPEG of quality 90, 200 pixels, so many frames")
+  app.add_option("--preset", *preset, "the paper's series: JPEG of quality 90, 200 pixels, so many frames")
       ->transform(CLI::CheckedTransformer(presets).description(""))
       ->type_name("paper-8|paper-16|paper-32");
   add_reading(app, command->up, command->read.mtl_kd, "axis that points up in the model");
@@ -141,7 +125,9 @@ Verb series_verb(CLI::App& app) {
     if (command->original.empty() && command->pictures.empty()) throw CLI::RequiredError("original or --from");
   });
   return [command, preset, &app] {
-    preset->apply(app, *command);
+    auto const given = [&](char const* flag) { return app.get_option(flag)->count() > 0; };
+    command->all_pictures = *preset == 0 && !given("--frames");
+    if (*preset > 0) tools::take_paper_series(*command, *preset, given);
     return tools::series(*command);
   };
 }

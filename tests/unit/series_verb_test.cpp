@@ -55,6 +55,20 @@ TEST_F(SeriesVerb, DrawsAModel) {
   EXPECT_THAT(manifest()["elevations"], ElementsAre(10));
 }
 
+TEST_F(SeriesVerb, ThePapersSeriesGivesWayToWhatIsGiven) {
+  SeriesCommand command;
+  command.series.codec = SeriesCodec::webp;
+  command.measure.size = 300;
+  take_paper_series(command, 16, [](std::string_view flag) { return flag == "--codec"; });
+  EXPECT_EQ(command.series.frames, 16);
+  EXPECT_EQ(command.measure.size, 200);
+  EXPECT_EQ(command.series.codec, SeriesCodec::webp);
+  take_paper_series(command, 8, [](std::string_view) { return false; });
+  EXPECT_EQ(command.series.frames, 8);
+  EXPECT_EQ(command.series.codec, SeriesCodec::jpeg);
+  EXPECT_EQ(graph::coding(command.series.codec, graph::usual_quality(command.series.codec)).quality, 90);
+}
+
 TEST_F(SeriesVerb, TakesPicturesByTheNumbersInTheirNames) {
   for (char const* name : {"view-10.png", "view-9.png", "view-010b.png", "View-1.JPG", "a.png"}) add_picture(name, 1);
   test::write_file(photos / "notes.txt", "no picture");
