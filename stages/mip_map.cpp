@@ -88,10 +88,9 @@ struct Pair {
 };
 
 Pair neighbours(float wrapped, int size, Wrap mode) {
-  float const place = wrapped * float(size) - 0.5f, floor = floor_below(place);
-  int const low = int(floor), last = size - 1;
-  if (mode == Wrap::repeat) return {low < 0 ? last : low, low < last ? low + 1 : 0, place - floor};
-  return {std::max(low, 0), std::min(low + 1, last), place - floor};
+  float const place = wrapped * float(size) - 0.5f;
+  int const low = int(place + 1) - 1, last = size - 1, before = mode == Wrap::repeat ? last : 0;
+  return {low < 0 ? before : low, low < last ? low + 1 : last - before, place - float(low)};
 }
 
 float mix(float a, float b, float weight) { return a + (b - a) * weight; }
@@ -119,17 +118,8 @@ Rgba bilinear(Image const& image, std::array<float, 256> const& decoded, Pair co
     return {first, channel(1, decoded), channel(2, decoded), alpha};
 }
 
-}  // namespace
-
-MipMap::MipMap(Image const& image, ColourSpace space) : base_(image), space_(space) {
-  while (level_image(smaller_.size()).width > 1 || level_image(smaller_.size()).height > 1)
-    smaller_.push_back(half_size(level_image(smaller_.size()), space));
-}
-
-Rgba MipMap::sample_level(std::size_t level, V2f wrapped, Wrap wrap_u, Wrap wrap_v) const {
-  Image const& image = level_image(level);
-  std::array<float, 256> const& decoded = space_ == ColourSpace::srgb ? kLinearOfSrgb : kShareOfByte;
-  Pair const x = neighbours(wrapped.x, image.width, wrap_u), y = neighbours(wrapped.y, image.height, wrap_v);
+Rgba of_bytes(Image const& image, ColourSpace space, Pair const& x, Pair const& y) {
+  std::array<float, 256> const& decoded = space == ColourSpace::srgb ? kLinearOfSrgb : kShareOfByte;
   switch (image.channels) {
     case 1:
       return bilinear<1>(image, decoded, x, y);
@@ -140,6 +130,39 @@ Rgba MipMap::sample_level(std::size_t level, V2f wrapped, Wrap wrap_u, Wrap wrap
     default:
       return bilinear<4>(image, decoded, x, y);
   }
+}
+
+Rgba bilinear(std::vector<Rgba> const& texels, int width, Pair const& x, Pair const& y) {
+  Rgba const* const low = &texels[std::size_t(y.low) * width];
+  Rgba const* const high = &texels[std::size_t(y.high) * width];
+  Rgba mean;
+  for (std::size_t k = 0; k < 4; ++k)
+    mean[k] = mix(mix(low[x.low][k], low[x.high][k], x.weight), mix(high[x.low][k], high[x.high][k], x.weight), y.weight);
+  return mean;
+}
+
+/// Nothing if there are too many texels.
+std::vector<Rgba> decode(Image const& image, ColourSpace space) {
+  constexpr std::size_t most = 512 * 512;
+  std::vector<Rgba> texels;
+  if (std::size_t(image.width) * std::size_t(image.height) > most) return texels;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) texels.push_back(of_bytes(image, space, {x, x, 0}, {y, y, 0}));
+  return texels;
+}
+
+}  // namespace
+
+MipMap::MipMap(Image const& image, ColourSpace space) : base_(image), space_(space) {
+  while (level_image(smaller_.size()).width > 1 || level_image(smaller_.size()).height > 1)
+    smaller_.push_back(half_size(level_image(smaller_.size()), space));
+  for (std::size_t level = 0; level <= smaller_.size(); ++level) decoded_.push_back(decode(level_image(level), space));
+}
+
+Rgba MipMap::sample_level(std::size_t level, V2f wrapped, Wrap wrap_u, Wrap wrap_v) const {
+  Image const& image = level_image(level);
+  Pair const x = neighbours(wrapped.x, image.width, wrap_u), y = neighbours(wrapped.y, image.height, wrap_v);
+  return decoded_[level].empty() ? of_bytes(image, space_, x, y) : bilinear(decoded_[level], image.width, x, y);
 }
 
 Rgba MipMap::sample(V2f uv, float level, Wrap wrap_u, Wrap wrap_v) const {

@@ -8,7 +8,8 @@
 namespace vitrine {
 
 /// Levels halve the size (rounded down) until one texel is left; each is a box filter of the one before it, averaged
-/// in linear light when the image is sRGB, and kept in 8 bits. The image must outlive the map; its `space` does not
+/// in linear light when the image is sRGB, and rounded to 8 bits. Levels of up to 512 x 512 texels are kept decoded, in
+/// floats: they are what most pictures and all thumbnails read. The image must outlive the map; its `space` does not
 /// count.
 class MipMap {
  public:
@@ -25,6 +26,7 @@ class MipMap {
   Image const& base_;
   ColourSpace space_;
   std::vector<Image> smaller_;
+  std::vector<std::vector<Rgba>> decoded_;  ///< by level; empty where it is too large
 };
 
 }  // namespace vitrine
