@@ -22,20 +22,22 @@ SurveyedModel surveyed(SourceModel model) { return survey(std::make_shared<Sourc
 
 SurveyedModel original(int triangles) { return surveyed(clean(test::painted_model(mesh_of(triangles))).model); }
 
-/// Smooth, with a colour map wound round it.
+/// Smooth, with a colour map and a normal map wound round it.
 SourceModel textured_model(TriMesh mesh) {
   SourceModel model = clean(test::plain_model(std::move(mesh))).model;
   for (V3f const& p : model.mesh.positions)
     model.uvs.push_back({std::atan2(p.x, p.z) / (2 * std::numbers::pi_v<float>) + 0.5f, (1 - p.y) / 2});
   Image image{256, 256, 3, ColourSpace::srgb, {}};
   for (int i = 0; i < 256 * 256 * 3; ++i) image.texels.push_back(static_cast<std::uint8_t>(i * 7));
-  model.images.push_back(std::move(image));
+  model.images = {image, image};
   model.materials[0].coloured = true;
   model.materials[0].colour_map.image = 0;
+  model.materials[0].normal_map.image = 1;
+  model.tangents.assign(model.uvs.size(), {1, 0, 0, 1});
   return model;
 }
 
-enum class Kind { flat, textured };  ///< colours per vertex without normals, or smooth with a colour map
+enum class Kind { flat, textured };  ///< colours per vertex without normals, or smooth with both maps
 
 SurveyedModel thumbnail(Kind kind, int triangles) {
   TriMesh mesh = mesh_of(triangles);

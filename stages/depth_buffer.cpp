@@ -19,14 +19,18 @@ std::int32_t on_grid(float samples) {
 int first_sample(std::int32_t low) { return (low + kGrid - 1) >> kGridBits; }
 int last_sample(std::int32_t high) { return high >> kGridBits; }
 
+/// Faces up to this many samples across have edges of 32 bits.
+constexpr int kSmall = 63;
+
 /// Twice the area of a triangle, on one side of an edge positive: linear in the place of its third corner.
+template <class Int>
 struct Edge {
-  std::int64_t at, per_column, per_row;
+  Int at, per_column, per_row;
 
   template <class Corner>
   Edge(Corner const& from, Corner const& to, int column, int row) {
-    std::int64_t const dx = to.x - from.x, dy = to.y - from.y;
-    at = dx * ((std::int64_t{row} << kGridBits) - from.y) - dy * ((std::int64_t{column} << kGridBits) - from.x);
+    Int const dx = to.x - from.x, dy = to.y - from.y;
+    at = dx * Int(row * kGrid - from.y) - dy * Int(column * kGrid - from.x);
     per_column = -dy * kGrid;
     per_row = dx * kGrid;
   }
@@ -82,21 +86,30 @@ void DepthBuffer::clear() {
                 Sample{0, kNothing});
 }
 
-void DepthBuffer::draw(std::uint32_t id, Corner const& a, Corner b, Corner c) {
-  int const left = std::max(first_sample(std::min({a.x, b.x, c.x})), 0);
-  int const right = std::min(last_sample(std::max({a.x, b.x, c.x})), side_ - 1);
-  if (left > right) return;
-  int const top = std::max(first_sample(std::min({a.y, b.y, c.y})), 0);
-  int const bottom = std::min(last_sample(std::max({a.y, b.y, c.y})), side_ - 1);
-  if (top > bottom) return;
-  std::int64_t area = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+void DepthBuffer::draw(std::uint32_t id, Corner const& a, Corner const& b, Corner const& c) {
+  std::int32_t const low_x = std::min({a.x, b.x, c.x}), high_x = std::max({a.x, b.x, c.x});
+  Cells cells{std::max(first_sample(low_x), 0), std::min(last_sample(high_x), side_ - 1), 0, 0};
+  if (cells.left > cells.right) return;
+  std::int32_t const low_y = std::min({a.y, b.y, c.y}), high_y = std::max({a.y, b.y, c.y});
+  cells.top = std::max(first_sample(low_y), 0), cells.bottom = std::min(last_sample(high_y), side_ - 1);
+  if (cells.top > cells.bottom) return;
+  if (std::max(high_x - low_x, high_y - low_y) <= kSmall * kGrid)
+    fill<std::int32_t>(id, a, b, c, cells);
+  else
+    fill<std::int64_t>(id, a, b, c, cells);
+}
+
+template <class Int>
+void DepthBuffer::fill(std::uint32_t id, Corner const& a, Corner b, Corner c, Cells const& cells) {
+  auto const& [left, right, top, bottom] = cells;
+  Int area = Int(b.x - a.x) * Int(c.y - a.y) - Int(b.y - a.y) * Int(c.x - a.x);
   if (area == 0) return;
   if (area < 0) std::swap(b, c), area = -area;
-  Edge across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
+  Edge<Int> across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
   float const per_b = (b.nearness - a.nearness) / float(area), per_c = (c.nearness - a.nearness) / float(area);
   for (int row = top; row <= bottom; ++row) {
     Sample* const samples = &samples_[std::size_t(row) * std::size_t(side_)];
-    std::int64_t ea = across_a.at, eb = across_b.at, ec = across_c.at;
+    Int ea = across_a.at, eb = across_b.at, ec = across_c.at;
     for (int column = left; column <= right; ++column) {
       if ((ea | eb | ec) >= 0) {
         float const nearness = a.nearness + per_b * float(eb) + per_c * float(ec);

@@ -58,9 +58,15 @@ class DepthBuffer {
     std::uint32_t face;
   };
 
+  struct Cells {
+    int left, right, top, bottom;  ///< samples that a face may cover
+  };
+
   bool project(TriMesh const& mesh, Lens const& lens);
   void clear();
-  void draw(std::uint32_t id, Corner const& a, Corner b, Corner c);
+  void draw(std::uint32_t id, Corner const& a, Corner const& b, Corner const& c);
+  template <class Int>
+  void fill(std::uint32_t id, Corner const& a, Corner b, Corner c, Cells const& cells);
 
   int side_, left_ = 0, right_ = -1, top_ = 0, bottom_ = -1;
   std::vector<Corner> corners_;

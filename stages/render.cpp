@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/render.h"
 
-#include "stages/closest_point.h"
 #include "stages/depth_buffer.h"
 #include "stages/parallel.h"
 #include "stages/shade.h"
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 
 namespace vitrine {
 namespace {
@@ -21,32 +21,52 @@ constexpr std::size_t kMostFaces = std::size_t{1} << 20;  ///< beyond, a ray fin
 using Texel = std::array<std::uint8_t, 4>;
 constexpr Texel kNothing{255, 255, 255, 0};
 
+/// Rays through samples of a picture, side by side.
+struct Rays {
+  std::size_t count = 0;
+  Lanes column, row;
+};
+
 /// A face before the eye: the place where a ray of direction d meets it is (d.u, d.v) / d.across.
 struct SeenFace {
   Facet facet;
-  V3f across, u, v;
+  V3f u, v;
 
   SeenFace() = default;
-  SeenFace(Facet const& of, V3f const& eye) : facet(of) {
+  SeenFace(Surface const& surface, std::uint32_t face, V3f const& eye) : facet(surface.facet(face)) {
     auto const& p = facet.corners;
-    V3f const b = p[1] - p[0], c = p[2] - p[0], from_first = eye - p[0];
-    across = b.cross(c), u = from_first.cross(c), v = b.cross(from_first);
+    V3f const from_first = eye - p[0];
+    u = from_first.cross(p[2] - p[0]), v = (p[1] - p[0]).cross(from_first);
   }
 
-  /// Within the face also where the ray passes by, by what the depth buffer rounds.
-  Barycentric at(V3f const& direction, float slope) const {
-    float const place_u = direction.dot(u) / slope, place_v = direction.dot(v) / slope;
-    if (place_u >= 0 && place_v >= 0 && place_u + place_v <= 1) return {place_u, place_v};
-    auto const share = [](float place) { return place > 0 ? std::min(place, 1.f) : 0; };
-    float const share_u = share(place_u);
-    return {share_u, std::min(share(place_v), 1 - share_u)};
+  /// Where rays meet the face; within it also where they pass by, by what the depth buffer rounds.
+  /// `facing`: 1, or -1 where it is seen from behind.
+  void meet(Rays const& rays, Lens const& lens, Places& at, Lanes& facing) const {
+    Product const across(facet.across, lens), to_u(u, lens), to_v(v, lens);
+    at.count = rays.count;
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      float const column = rays.column[i], row = rays.row[i], slope = across(column, row), scale = 1 / slope;
+      float const met_u = to_u(column, row) * scale, met_v = to_v(column, row) * scale;
+      float const low_u = met_u > 0 ? met_u : 0, in_u = low_u < 1 ? low_u : 1;
+      float const low_v = met_v > 0 ? met_v : 0, in_v = low_v < 1 - in_u ? low_v : 1 - in_u;
+      at.u[i] = in_u, at.v[i] = in_v;
+      facing[i] = slope > 0 ? -1.f : 1.f;
+      at.step_u[0][i] = (to_u.right - in_u * across.right) * scale;
+      at.step_v[0][i] = (to_v.right - in_v * across.right) * scale;
+      at.step_u[1][i] = (to_u.down - in_u * across.down) * scale;
+      at.step_v[1][i] = (to_v.down - in_v * across.down) * scale;
+    }
   }
 
-  /// By how much the place moves with the direction.
-  Barycentric moved(Barycentric const& at, float slope, V3f const& step) const {
-    float const moved_slope = step.dot(across);
-    return {(step.dot(u) - at.u * moved_slope) / slope, (step.dot(v) - at.v * moved_slope) / slope};
-  }
+ private:
+  /// Of a vector and the direction of rays: linear in column and row.
+  struct Product {
+    float top_left, right, down;
+
+    Product(V3f const& with, Lens const& lens)
+        : top_left(with.dot(lens.top_left)), right(with.dot(lens.right)), down(-with.dot(lens.up)) {}
+    float operator()(float column, float row) const { return top_left + right * column + down * row; }
+  };
 };
 
 /// The faces seen last, by the low bits of their number.
@@ -56,7 +76,7 @@ class SeenFaces {
 
   SeenFace const& operator[](std::uint32_t face) {
     SeenFace& seen = faces_[face % faces_.size()];
-    if (seen.facet.face != face) seen = {surface_.facet(face), eye_};
+    if (seen.facet.face != face) std::construct_at(&seen, surface_, face, eye_);
     return seen;
   }
 
@@ -104,40 +124,51 @@ class Painter {
   /// The mean of a pixel's samples, which are lit side by side.
   void draw_pixel(Image& picture, int x, int y, DepthBuffer const& buffer, SeenFaces& faces) const {
     int const n = options_.supersample;
+    std::array<std::uint32_t, kLanes> seen;
     Samples samples;
     std::size_t covered = 0;
+    for (int i = 0; i < n * n; ++i) seen[i] = buffer.face(n * x + i % n, n * y + i / n);
     for (int i = 0; i < n * n; ++i) {
-      int const column = n * x + i % n, row = n * y + i / n;
-      std::uint32_t const face = buffer.face(column, row);
-      if (face == DepthBuffer::kNothing) continue;
-      add(faces[face], lens_.direction(float(column), float(row)), samples, covered++);
+      if (seen[i] == DepthBuffer::kNothing) continue;
+      SeenFace const& face = faces[seen[i]];
+      covered = add(face, take(seen, i, x, y), samples, covered);
     }
     if (covered == 0) return;
     shading_at(x, y)(samples);
     std::array<int, 4> sums;
-    for (std::size_t k = 0; k < 3; ++k) {
-      sums[k] = 255 * (n * n - int(covered));
-      for (std::size_t i = 0; i < covered; ++i) sums[k] += srgb_byte(samples.colour[k][i]);
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      sums[k] = 255 * (n * n - int(covered)) + sum_of_srgb_bytes(samples.colour[k], covered);
     sums[3] = 255 * int(covered);
     put(picture, x, y, sums);
   }
 
-  void add(SeenFace const& seen, V3f const& direction, Samples& samples, std::size_t i) const {
-    float const slope = direction.dot(seen.across);
-    Barycentric const at = seen.at(direction, slope);
-    SurfaceSample const surface = sample(seen, at, slope);
-    for (int k = 0; k < 3; ++k) {
-      samples.colour[k][i] = options_.grey ? kGrey : surface.colour[k];
-      samples.normal[k][i] = slope > 0 ? -surface.normal[k] : surface.normal[k];
+  /// All samples of a pixel, from the first on, that see the same face as that; they are crossed out.
+  Rays take(std::array<std::uint32_t, kLanes>& seen, int first, int x, int y) const {
+    int const n = options_.supersample;
+    std::uint32_t const face = seen[first];
+    Rays rays;
+    for (int i = first; i < n * n; ++i) {
+      if (seen[i] != face) continue;
+      seen[i] = DepthBuffer::kNothing;
+      rays.column[rays.count] = float(n * x + i % n), rays.row[rays.count++] = float(n * y + i / n);
     }
-    samples.lit[i] = seen.facet.material->unlit ? 0 : 1;
+    return rays;
   }
 
-  SurfaceSample sample(SeenFace const& seen, Barycentric const& at, float slope) const {
-    std::array<Barycentric, 2> steps;
-    if (seen.facet.mapped) steps = {seen.moved(at, slope, lens_.right), seen.moved(at, slope, lens_.up)};
-    return model_.surface.sample(seen.facet, at, steps);
+  /// Puts samples behind those that are there; how many there are then.
+  std::size_t add(SeenFace const& seen, Rays const& rays, Samples& samples, std::size_t from) const {
+    Places at;
+    Lanes facing;
+    seen.meet(rays, lens_, at, facing);
+    SurfaceSamples surface;
+    model_.surface.sample(seen.facet, at, surface);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < at.count; ++i) {
+        samples.colour[k][from + i] = options_.grey ? kGrey : surface.colour[k][i];
+        samples.normal[k][from + i] = surface.normal[k][i] * facing[i];
+      }
+    std::fill_n(samples.lit.begin() + from, at.count, seen.facet.material->unlit ? 0.f : 1.f);
+    return from + at.count;
   }
 
   /// Packets of rays, each for a square of pixels.
@@ -156,7 +187,7 @@ class Painter {
             std::array<int, 4> sums{};
             for (int i = 0; i < n * n; ++i) {
               std::size_t const ray = std::size_t(((y - top) * n + i / n) * side + (x - left) * n + i % n);
-              Texel const texel = hits[ray] ? layers(rays[ray], *hits[ray], shading) : kNothing;
+              Texel const texel = hits[ray] ? layers({1, {float(n * x + i % n)}, {float(n * y + i / n)}}, rays[ray], *hits[ray], shading) : kNothing;
               for (std::size_t k = 0; k < 4; ++k) sums[k] += texel[k];
             }
             put(picture, x, y, sums);
@@ -179,11 +210,11 @@ class Painter {
   }
 
   /// What the ray shows from its first hit on: front to back, on white, in the client's encoded values.
-  Texel layers(Ray ray, Hit hit, Shading const& shading) const {
+  Texel layers(Rays const& sight, Ray ray, Hit hit, Shading const& shading) const {
     std::array<float, 3> shown{};
     float clear = 1;
     for (int layer = 0; layer < kMostLayers; ++layer) {
-      Layer const at = look(ray.direction, hit, shading);
+      Layer const at = look(sight, hit.face, shading);
       if (at.coverage >= 1 && clear == 1) return {at.bytes[0], at.bytes[1], at.bytes[2], 255};
       for (std::size_t k = 0; k < 3; ++k) shown[k] += clear * at.coverage * float(at.bytes[k]);
       clear *= 1 - at.coverage;
@@ -203,14 +234,17 @@ class Painter {
     float coverage;
   };
 
-  Layer look(V3f const& direction, Hit const& hit, Shading const& shading) const {
-    SeenFace const seen(model_.surface.facet(hit.face), lens_.eye);
-    float const slope = direction.dot(seen.across);
-    SurfaceSample const surface = sample(seen, {hit.u, hit.v}, slope);
-    V3f const base = options_.grey ? V3f(kGrey) : V3f(surface.colour[0], surface.colour[1], surface.colour[2]);
-    V3f const light =
-        seen.facet.material->unlit ? base : shading(base, slope > 0 ? -surface.normal : surface.normal);
-    return {{srgb_byte(light.x), srgb_byte(light.y), srgb_byte(light.z)}, surface.colour[3]};
+  Layer look(Rays const& sight, std::uint32_t face, Shading const& shading) const {
+    SeenFace const seen(model_.surface, face, lens_.eye);
+    Places at;
+    Lanes facing;
+    seen.meet(sight, lens_, at, facing);
+    SurfaceSamples surface;
+    model_.surface.sample(seen.facet, at, surface);
+    V3f const own(surface.colour[0][0], surface.colour[1][0], surface.colour[2][0]);
+    V3f const base = options_.grey ? V3f(kGrey) : own, normal = lane(surface.normal, 0) * facing[0];
+    V3f const light = seen.facet.material->unlit ? base : shading(base, normal);
+    return {{srgb_byte(light.x), srgb_byte(light.y), srgb_byte(light.z)}, surface.colour[3][0]};
   }
 
   SurveyedModel const& model_;

@@ -66,7 +66,7 @@ V3f Shading::operator()(V3f const& base_colour, V3f const& normal) const {
 void Shading::operator()(Samples& samples) const {
   auto& [r, g, b] = samples.colour;
   auto const& [x, y, z] = samples.normal;
-  for (std::size_t i = 0; i < Samples::kMost; ++i) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
     Light const falls = light(x[i] * to_light_.x + y[i] * to_light_.y + z[i] * to_light_.z,
                               x[i] * to_eye_.x + y[i] * to_eye_.y + z[i] * to_eye_.z);
     float const lit = samples.lit[i], diffuse = lit * falls.diffuse + (1 - lit), specular = lit * falls.specular;
@@ -80,6 +80,12 @@ std::uint8_t srgb_byte(float linear) {
   float const value = linear > 0 ? std::min(linear, 1.0f) : 0.0f;  // NaN is black
   std::size_t const guess = kSrgbBytes.guesses[static_cast<std::size_t>(value * SrgbBytes::kSteps)];
   return static_cast<std::uint8_t>(guess + (value >= kSrgbBytes.starts[guess + 1]));
+}
+
+int sum_of_srgb_bytes(Lanes const& linear, std::size_t count) {
+  int sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += srgb_byte(linear[i]);
+  return sum;
 }
 
 }  // namespace vitrine

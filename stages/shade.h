@@ -3,17 +3,15 @@
 /// How a surface looks under the light of the measure: what three.js r187 shows for a white ambient light and a white
 /// directional light on its standard material with roughness 1 and metalness 0.
 
-#include "stages/data.h"
+#include "stages/lanes.h"
 
 namespace vitrine {
 
-/// Points of surfaces side by side, so that the processor lights several at a time. Unused ones are black.
+/// Points of surfaces side by side.
 struct Samples {
-  static constexpr std::size_t kMost = 16;
-  using Row = std::array<float, kMost>;
-  std::array<Row, 3> colour{};  ///< linear base colour; then radiance
-  std::array<Row, 3> normal{};  ///< unit, turned to the side that is seen
-  Row lit{};                    ///< 1, or 0 where the colour is shown as it is
+  LaneVector<3> colour{};  ///< linear base colour; then radiance
+  LaneVector<3> normal{};  ///< unit, turned to the side that is seen
+  Lanes lit{};             ///< 1, or 0 where the colour is shown as it is
 };
 
 /// One direction of sight under one light: what does not depend on the surface is computed once.
@@ -41,5 +39,7 @@ class Shading {
 
 /// The byte that a client writes for a linear value: sRGB encoded, clamped, rounded.
 std::uint8_t srgb_byte(float linear);
+/// The sum of those of the first `count` lanes.
+int sum_of_srgb_bytes(Lanes const& linear, std::size_t count);
 
 }  // namespace vitrine

@@ -48,6 +48,26 @@ bool all_equal(std::vector<Rgba16> const& colours) {
   return std::all_of(colours.begin(), colours.end(), [&](Rgba16 const& c) { return c == colours[0]; });
 }
 
+/// What clients show of m in the frames of stored tangents (xyz, and w the side of the bitangent); 0 where there is none.
+LaneVector<3> in_stored_frames(LaneVector<4> const& tangents, LaneVector<3> const& n, LaneVector<3> const& m,
+                               std::size_t count) {
+  LaneVector<3> t{tangents[0], tangents[1], tangents[2]}, b, shown;
+  make_unit(t, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    b[0][i] = n[1][i] * t[2][i] - n[2][i] * t[1][i];
+    b[1][i] = n[2][i] * t[0][i] - n[0][i] * t[2][i];
+    b[2][i] = n[0][i] * t[1][i] - n[1][i] * t[0][i];
+  }
+  make_unit(b, count);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < count; ++i) {
+      float const side = tangents[3][i] < 0 ? -1.f : 1.f;
+      shown[k][i] = t[k][i] * m[0][i] + b[k][i] * (side * m[1][i]) + n[k][i] * m[2][i];
+    }
+  make_unit(shown, count);
+  return shown;
+}
+
 /// Filtered images, made where a material in use asks for them.
 using MipMaps = std::vector<std::unique_ptr<MipMap const>>;
 
@@ -98,18 +118,30 @@ struct Surface::Impl {
     made.face = face;
     made.material = &material_of(face);
     made.corners = corners(model.mesh.positions, face);
-    made.across = (made.corners[1] - made.corners[0]).cross(made.corners[2] - made.corners[0]).normalized();
+    made.across = (made.corners[1] - made.corners[0]).cross(made.corners[2] - made.corners[0]);
     made.smooth = !model.normals.empty();
-    if (made.smooth) made.normals = from_first(corners(model.normals, face));
+    if (made.smooth)
+      made.normals = from_first(corners(model.normals, face));
+    else
+      made.normals[0] = made.across.normalized();
     made.colours = {made.material->base_colour, Rgba{}, Rgba{}};
     if (!model.colours.empty()) made.colours = vertex_colours(face, made.material->base_colour);
-    bool const coloured = !model.uvs.empty() && made.material->colour_map.image >= 0;
-    if (coloured) made.colour_uvs = corner_uvs(made.material->colour_map, face);
-    made.mapped = coloured || (!model.uvs.empty() && made.material->normal_map.image >= 0);
+    if (!model.uvs.empty()) add_maps(made);
     return made;
   }
 
-  static std::array<V3f, 3> from_first(std::array<V3f, 3> const& at) { return {at[0], at[1] - at[0], at[2] - at[0]}; }
+  void add_maps(Facet& facet) const {
+    TextureUse const &colour = facet.material->colour_map, &normal = facet.material->normal_map;
+    facet.mapped = colour.image >= 0 || normal.image >= 0;
+    if (colour.image >= 0) facet.colour_uvs = corner_uvs(colour, facet.face);
+    if (normal.image >= 0) facet.normal_uvs = corner_uvs(normal, facet.face);
+    if (normal.image >= 0 && !model.tangents.empty()) facet.tangents = from_first(corners(model.tangents, facet.face));
+  }
+
+  template <class Vector>
+  static std::array<Vector, 3> from_first(std::array<Vector, 3> const& at) {
+    return {at[0], at[1] - at[0], at[2] - at[0]};
+  }
 
   std::array<Rgba, 3> vertex_colours(std::uint32_t face, Rgba const& factor) const {
     auto const bytes = corners(model.colours, face);
@@ -121,60 +153,62 @@ struct Surface::Impl {
     return colours;
   }
 
-  static V3f vertex_normal(Facet const& facet, Barycentric const& at) {
-    if (facet.smooth) {
-      V3f const normal = facet.normals[0] + facet.normals[1] * at.u + facet.normals[2] * at.v;
-      float const squared = normal.length2();
-      if (squared > 1e-30f) return normal * (1 / std::sqrt(squared));
-    }
-    return facet.across;
+  static void vertex_normals(Facet const& facet, Places const& at, LaneVector<3>& normals) {
+    interpolate(facet.normals, at, normals);
+    if (!facet.smooth || make_unit(normals, at.count)) return;
+    for (std::size_t i = 0; i < at.count; ++i)
+      if (lane(normals, i) == V3f(0)) set_lane(normals, i, facet.across.normalized());
   }
 
-  /// As clients build it: from TANGENT where the file has it, else from the surface's own derivatives.
-  TangentFrame frame(std::uint32_t face, Barycentric const& at, std::array<V3f, 3> const& p, CornerUvs const& uvs,
-                     V3f const& normal) const {
-    if (!model.tangents.empty()) {
-      auto const t = corners(model.tangents, face);
-      V4f const tangent = interpolate(t[0], t[1], t[2], at);
-      V3f const direction(tangent.x, tangent.y, tangent.z);
-      if (direction.length2() > 0) {
-        TangentFrame stored = stored_frame(normal, direction.normalized());
-        if (tangent.w < 0) stored.bitangent = -stored.bitangent;
-        return stored;
-      }
-    }
-    return client_frame(p, uvs, normal);
-  }
-
-  /// `texels(image, uvs)`: how many texels of the image the sample's footprint is across.
+  /// `texels(image, uvs)`: how many texels of the image each sample's footprint is across, squared.
   template <class Texels>
-  SurfaceSample sample(Facet const& facet, Barycentric const& at, Texels const& texels) const {
-    SurfaceSample sample;
-    for (int k = 0; k < 4; ++k)
-      sample.colour[k] = facet.colours[0][k] + facet.colours[1][k] * at.u + facet.colours[2][k] * at.v;
-    sample.normal = vertex_normal(facet, at);
-    if (facet.mapped) add_maps(facet, at, texels, sample);
-    sample.colour[3] = coverage(*facet.material, sample.colour[3]);
-    return sample;
-  }
-
-  template <class Texels>
-  void add_maps(Facet const& facet, Barycentric const& at, Texels const& texels, SurfaceSample& sample) const {
+  void sample(Facet const& facet, Places const& at, Texels const& texels, SurfaceSamples& samples) const {
+    interpolate(facet.colours, at, samples.colour);
+    vertex_normals(facet, at, samples.normal);
     Material const& material = *facet.material;
-    auto const read = [&](TextureUse const& use, MipMaps const& maps, CornerUvs const& uvs) {
-      float const squared = texels(model.images[use.image], uvs);
-      float const level = squared > 1 ? std::log2(squared) / 2 : 0;
-      return maps[use.image]->sample(interpolate(uvs[0], uvs[1], uvs[2], at), level, use.wrap_u, use.wrap_v);
-    };
-    if (material.colour_map.image >= 0)
-      sample.colour = multiply(sample.colour, read(material.colour_map, colour_maps, facet.colour_uvs));
-    if (material.normal_map.image >= 0) {
-      CornerUvs const uvs = corner_uvs(material.normal_map, facet.face);
-      Rgba const texel = read(material.normal_map, normal_maps, uvs);
-      V3f const scale(material.normal_scale, material.normal_scale, 1);
-      V3f const m = (V3f(texel[0], texel[1], texel[2]) * 2.f - V3f(1)) * scale;
-      V3f const shown = from_tangent_space(frame(facet.face, at, facet.corners, uvs, sample.normal), m);
-      if (shown.length2() > 0) sample.normal = shown;
+    if (facet.mapped && material.colour_map.image >= 0) {
+      LaneVector<4> const read = look_up(material.colour_map, colour_maps, facet.colour_uvs, at, texels);
+      for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t i = 0; i < at.count; ++i) samples.colour[k][i] *= read[k][i];
+    }
+    if (facet.mapped && material.normal_map.image >= 0) tilt(facet, at, texels, samples.normal);
+    for (std::size_t i = 0; i < at.count; ++i) samples.colour[3][i] = coverage(material, samples.colour[3][i]);
+  }
+
+  template <class Texels>
+  LaneVector<4> look_up(TextureUse const& use, MipMaps const& maps, CornerUvs const& uvs, Places const& at,
+                        Texels const& texels) const {
+    Lanes const squared = texels(model.images[use.image], uvs);
+    LaneVector<4> read;
+    for (std::size_t i = 0; i < at.count; ++i) {
+      float const level = squared[i] > 1 ? std::log2(squared[i]) / 2 : 0;
+      V2f const uv = interpolate(uvs[0], uvs[1], uvs[2], {at.u[i], at.v[i]});
+      Rgba const texel = maps[use.image]->sample(uv, level, use.wrap_u, use.wrap_v);
+      for (std::size_t k = 0; k < 4; ++k) read[k][i] = texel[k];
+    }
+    return read;
+  }
+
+  /// By the normal map: in the frame that TANGENT gives where the file has it, else that of the surface's derivatives.
+  template <class Texels>
+  void tilt(Facet const& facet, Places const& at, Texels const& texels, LaneVector<3>& normals) const {
+    Material const& material = *facet.material;
+    LaneVector<4> const read = look_up(material.normal_map, normal_maps, facet.normal_uvs, at, texels);
+    LaneVector<3> m;
+    for (std::size_t i = 0; i < at.count; ++i) {
+      m[0][i] = (read[0][i] * 2 - 1) * material.normal_scale;
+      m[1][i] = (read[1][i] * 2 - 1) * material.normal_scale;
+      m[2][i] = read[2][i] * 2 - 1;
+    }
+    LaneVector<4> tangents;
+    interpolate(facet.tangents, at, tangents);
+    LaneVector<3> const shown = in_stored_frames(tangents, normals, m, at.count);
+    for (std::size_t i = 0; i < at.count; ++i) {
+      bool const stored = tangents[0][i] != 0 || tangents[1][i] != 0 || tangents[2][i] != 0;
+      V3f const normal = lane(normals, i);
+      V3f const tilted = stored ? lane(shown, i)
+                                : from_tangent_space(client_frame(facet.corners, facet.normal_uvs, normal), lane(m, i));
+      if (tilted != V3f(0)) set_lane(normals, i, tilted);
     }
   }
 };
@@ -186,24 +220,36 @@ Surface& Surface::operator=(Surface&&) noexcept = default;
 
 SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
   Facet const facet = impl_->facet(hit.face);
-  return impl_->sample(facet, {hit.u, hit.v}, [&](Image const& image, CornerUvs const& uvs) {
-    auto const& p = facet.corners;
-    float const area = (p[1] - p[0]).cross(p[2] - p[0]).length();
-    float const texels = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
-    return footprint * footprint * texels / area;
-  });
+  Places at;
+  at.count = 1, at.u[0] = hit.u, at.v[0] = hit.v;
+  SurfaceSamples made;
+  auto const texels = [&](Image const& image, CornerUvs const& uvs) {
+    float const all = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
+    return Lanes{footprint * footprint * all / facet.across.length()};
+  };
+  impl_->sample(facet, at, texels, made);
+  return {{made.colour[0][0], made.colour[1][0], made.colour[2][0], made.colour[3][0]}, lane(made.normal, 0)};
 }
 
 Facet Surface::facet(std::uint32_t face) const { return impl_->facet(face); }
 
-SurfaceSample Surface::sample(Facet const& facet, Barycentric const& at,
-                              std::array<Barycentric, 2> const& steps) const {
-  return impl_->sample(facet, at, [&](Image const& image, CornerUvs const& uvs) {
+void Surface::sample(Facet const& facet, Places const& at, SurfaceSamples& samples) const {
+  auto const texels = [&](Image const& image, CornerUvs const& uvs) {
     V2f const size(float(image.width), float(image.height));
     V2f const along_b = (uvs[1] - uvs[0]) * size, along_c = (uvs[2] - uvs[0]) * size;
-    return std::max((along_b * steps[0].u + along_c * steps[0].v).length2(),
-                    (along_b * steps[1].u + along_c * steps[1].v).length2());
-  });
+    Lanes squared;
+    for (std::size_t i = 0; i < at.count; ++i) {
+      std::array<float, 2> lengths;
+      for (std::size_t s = 0; s < 2; ++s) {
+        float const x = along_b.x * at.step_u[s][i] + along_c.x * at.step_v[s][i];
+        float const y = along_b.y * at.step_u[s][i] + along_c.y * at.step_v[s][i];
+        lengths[s] = x * x + y * y;
+      }
+      squared[i] = lengths[0] > lengths[1] ? lengths[0] : lengths[1];
+    }
+    return squared;
+  };
+  impl_->sample(facet, at, texels, samples);
 }
 
 bool Surface::coloured() const {

@@ -3,8 +3,8 @@
 /// What an original looks like at a point of its surface: the one place that knows vertex colours, materials, textures
 /// and normal maps. Baking and rendering both ask here.
 
-#include "stages/closest_point.h"
 #include "stages/data.h"
+#include "stages/lanes.h"
 #include "stages/ray_scene.h"
 
 #include <memory>
@@ -16,18 +16,25 @@ struct SurfaceSample {
   V3f normal{0, 1, 0};      ///< unit shading normal: interpolated, then the source's own normal map as clients draw it
 };
 
+/// The same for samples of one face side by side.
+struct SurfaceSamples {
+  LaneVector<4> colour;
+  LaneVector<3> normal;
+};
+
 /// One face, and what all its samples share. Of three values each the first is that of the first corner, the others are
 /// the ways from there to the second and third corner.
 struct Facet {
   std::uint32_t face = 0xffffffffu;
   Material const* material = nullptr;
-  std::array<V3f, 3> corners;     ///< places of all three
-  V3f across{0, 0, 0};            ///< unit, by the winding
-  bool smooth = false;            ///< else `across` is the normal everywhere
-  bool mapped = false;            ///< by any texture
-  std::array<V3f, 3> normals;     ///< if smooth
-  std::array<Rgba, 3> colours;    ///< material's factor x vertex colour
-  CornerUvs colour_uvs;           ///< of the colour map, if there is one; places of all three
+  std::array<V3f, 3> corners{};      ///< places of all three
+  V3f across{0, 0, 0};               ///< perpendicular, by the winding; as long as twice the area
+  bool smooth = false;               ///< else the first normal is unit, and that of the whole face
+  bool mapped = false;               ///< by any texture
+  std::array<V3f, 3> normals{V3f(0), V3f(0), V3f(0)};
+  std::array<Rgba, 3> colours{};     ///< material's factor x vertex colour
+  CornerUvs colour_uvs, normal_uvs;  ///< of these maps, where there are any; places of all three
+  std::array<V4f, 3> tangents{V4f(0), V4f(0), V4f(0)};  ///< where there is a normal map
 };
 
 /// Keeps filtered (mip-mapped) textures of one original. Immutable; calls may come from any thread. The model must
@@ -43,9 +50,9 @@ class Surface {
   SurfaceSample sample(Hit const& hit, float footprint) const;
 
   Facet facet(std::uint32_t face) const;
-  /// As clients draw it: `steps` is how far the place moves on its face from a pixel to its neighbours, across and up;
-  /// textures are read from the level in which the longer step is a texel (OpenGL's trilinear filter).
-  SurfaceSample sample(Facet const& facet, Barycentric const& at, std::array<Barycentric, 2> const& steps) const;
+  /// As clients draw it: textures are read from the level in which the longer of the two steps to a neighbouring pixel is
+  /// a texel (OpenGL's trilinear filter). Steps count only on mapped facets.
+  void sample(Facet const& facet, Places const& at, SurfaceSamples& samples) const;
 
   bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials
   Rgba uniform_colour() const;  ///< the one colour, when it does not; white for models without colour

@@ -36,6 +36,11 @@ V2d in_plane(TangentFrame const& frame, V3d const& wanted) {
   return tt + bb > 0 ? V2d(wt, wb) / (tt + bb) : V2d(0, 0);
 }
 
+V3f unit(V3f const& v) {
+  float const squared = v.length2();
+  return squared > 0 ? v * (1 / std::sqrt(squared)) : v;
+}
+
 }  // namespace
 
 TangentFrame client_frame(std::array<V3f, 3> const& positions, CornerUvs const& uvs, V3f const& normal) {
@@ -48,7 +53,8 @@ TangentFrame client_frame(std::array<V3f, 3> const& positions, CornerUvs const& 
 }
 
 TangentFrame stored_frame(V3f const& normal, V3f const& tangent) {
-  return {tangent.normalized(), normal.cross(tangent).normalized(), normal};
+  V3f const along = unit(tangent);
+  return {along, unit(normal.cross(along)), normal};
 }
 
 V3f to_tangent_space(TangentFrame const& frame, V3f const& wanted) {
@@ -61,7 +67,7 @@ V3f to_tangent_space(TangentFrame const& frame, V3f const& wanted) {
 }
 
 V3f from_tangent_space(TangentFrame const& frame, V3f const& m) {
-  return (frame.tangent * m.x + frame.bitangent * m.y + frame.normal * m.z).normalized();
+  return unit(frame.tangent * m.x + frame.bitangent * m.y + frame.normal * m.z);
 }
 
 }  // namespace vitrine
