@@ -160,7 +160,7 @@ class Painter {
     Places at;
     Lanes facing;
     seen.meet(rays, lens_, at, facing);
-    SurfaceSamples surface;
+    SurfaceLanes surface;
     model_.surface.sample(seen.facet, at, surface);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < at.count; ++i) {
@@ -239,7 +239,7 @@ class Painter {
     Places at;
     Lanes facing;
     seen.meet(sight, lens_, at, facing);
-    SurfaceSamples surface;
+    SurfaceLanes surface;
     model_.surface.sample(seen.facet, at, surface);
     V3f const own(surface.colour[0][0], surface.colour[1][0], surface.colour[2][0]);
     V3f const base = options_.grey ? V3f(kGrey) : own, normal = lane(surface.normal, 0) * facing[0];

@@ -162,7 +162,7 @@ struct Surface::Impl {
 
   /// `texels(image, uvs)`: how many texels of the image each sample's footprint is across, squared.
   template <class Texels>
-  void sample(Facet const& facet, Places const& at, Texels const& texels, SurfaceSamples& samples) const {
+  void sample(Facet const& facet, Places const& at, Texels const& texels, SurfaceLanes& samples) const {
     interpolate(facet.colours, at, samples.colour);
     vertex_normals(facet, at, samples.normal);
     Material const& material = *facet.material;
@@ -222,7 +222,7 @@ SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
   Facet const facet = impl_->facet(hit.face);
   Places at;
   at.count = 1, at.u[0] = hit.u, at.v[0] = hit.v;
-  SurfaceSamples made;
+  SurfaceLanes made;
   auto const texels = [&](Image const& image, CornerUvs const& uvs) {
     float const all = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
     return Lanes{footprint * footprint * all / facet.across.length()};
@@ -233,7 +233,7 @@ SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
 
 Facet Surface::facet(std::uint32_t face) const { return impl_->facet(face); }
 
-void Surface::sample(Facet const& facet, Places const& at, SurfaceSamples& samples) const {
+void Surface::sample(Facet const& facet, Places const& at, SurfaceLanes& samples) const {
   auto const texels = [&](Image const& image, CornerUvs const& uvs) {
     V2f const size(float(image.width), float(image.height));
     V2f const along_b = (uvs[1] - uvs[0]) * size, along_c = (uvs[2] - uvs[0]) * size;

@@ -17,7 +17,7 @@ struct SurfaceSample {
 };
 
 /// The same for samples of one face side by side.
-struct SurfaceSamples {
+struct SurfaceLanes {
   LaneVector<4> colour;
   LaneVector<3> normal;
 };
@@ -52,7 +52,7 @@ class Surface {
   Facet facet(std::uint32_t face) const;
   /// As clients draw it: textures are read from the level in which the longer of the two steps to a neighbouring pixel is
   /// a texel (OpenGL's trilinear filter). Steps count only on mapped facets.
-  void sample(Facet const& facet, Places const& at, SurfaceSamples& samples) const;
+  void sample(Facet const& facet, Places const& at, SurfaceLanes& samples) const;
 
   bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials
   Rgba uniform_colour() const;  ///< the one colour, when it does not; white for models without colour
