@@ -141,7 +141,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   });
   auto simplify_ = node.operator()<Surveyed, Tried>(flow::unlimited, "simplify", [&](In<Surveyed> const&, Job& job) {
     job.levels = std::make_shared<Levels const>(simplify_model(*job.original, options));
-    job.study.emplace(subject_of(*job.original, options), options);
+    job.study.emplace(subject_of(*job.original, *job.levels, options), options);
     return Tried{};
   });
 

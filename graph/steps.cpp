@@ -4,6 +4,8 @@
 #include "graph/certificate.h"
 #include "io/image_codec.h"
 #include "io/publish.h"
+#include "stages/deviation.h"
+#include "stages/error.h"
 #include "stages/paint.h"
 #include "stages/refit.h"
 #include "stages/welded_colours.h"
@@ -33,6 +35,7 @@ std::string ending(std::string const& path) {
 /// By what the search decides: all sides, both lights, at the device's pixels.
 std::vector<Reference> judges(SurveyedModel const& model, ModelOptions const& options) {
   if (!searches(options)) return {};
+  if (options.fit.max_error > 0) return {reference(model, {.size = options.publish.viewport})};  // what is promised
   int const size = int(std::lround(options.publish.viewport * options.fit.pixel_ratio));
   std::vector<Reference> all;
   for (MeasureOptions const& measure : {MeasureOptions{ViewSet::turntable, 3, size, Light::head, 2},
@@ -46,6 +49,27 @@ bool has_textures(SourceModel const& model) { return !model.uvs.empty() && !mode
 /// Weight of the facets' slopes in the refit: a coarse mesh shows each facet, a fine one few.
 double facet_weight(std::size_t triangles) {
   return std::clamp(1 - 0.5 * std::log2(double(std::max<std::size_t>(triangles, 1)) / 4000), 0.3, 1.0);
+}
+
+/// In model units; 0: none.
+double deviation_limit(Original const& original, ModelOptions const& options) {
+  double const radius = original.reference.sphere.radius;
+  double const by_box = options.fit.max_deviation * 2 * original.samples.radius;
+  double const by_pixels = options.fit.max_px * pixel_length(radius, options.publish.viewport);
+  return by_box > 0 && by_pixels > 0 ? std::min(by_box, by_pixels) : std::max(by_box, by_pixels);
+}
+
+/// The coarsest level, to one part in fifty, whose surface lies nowhere farther from the original's.
+std::size_t fewest_within(double limit, Progression const& levels, SurfaceSamples const& samples) {
+  std::size_t low = 4, high = levels.finest();
+  if (deviation(levels.at(high).mesh, samples) > limit)
+    throw Error(ErrorKind::no_solution, "no level of " + std::to_string(high) + " triangles or fewer keeps to the deviation asked for",
+                "raise --max-deviation or --max-px");
+  while (high - low > high / 50 + 1) {
+    std::size_t const middle = low + (high - low) / 2;
+    (deviation(levels.at(middle).mesh, samples) > limit ? low : high) = middle;
+  }
+  return high;
 }
 
 /// Decoded and not repaired: what a client cannot draw is to be seen here.
@@ -120,13 +144,15 @@ Levels simplify_model(Original const& original, ModelOptions const& options) {
   return levels;
 }
 
-Subject subject_of(Original const& original, ModelOptions const& options) {
+Subject subject_of(Original const& original, Levels const& levels, ModelOptions const& options) {
   SurveyedModel const& model = original.model;
   Subject subject;
   subject.triangles = model.model->mesh.triangles.size();
   subject.coloured = model.surface.coloured();
   subject.textured = subject.coloured && has_textures(*model.model);
   bool const occluded = options.bake.occlusion != Occlusion::none && !has_colour(*model.model);
+  if (double const limit = deviation_limit(original, options); limit > 0 && levels.plain)
+    subject.fixed_triangles = fewest_within(limit, *levels.plain, original.samples);
   subject.needs_map = model.surface.alpha() != AlphaMode::opaque || occluded;
   return subject;
 }
@@ -192,7 +218,7 @@ void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
     SurveyedModel const decoded = decode(*file);
     for (Reference const& judge : job.original->judges) {
       Difference const mean = compare(judge.pictures, pictures(decoded, judge)).mean;
-      error += mean.mse1e4;
+      error += mean.mse1e4 / double(job.original->judges.size());
       score += mean.mse1e4 * (1 - mean.foreground_ssim);
     }
   }

@@ -22,7 +22,7 @@ struct Finished {
 CleanModel load_model(Job& job, io::ReadOptions const& options);
 Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options);
 Levels simplify_model(Original const& original, ModelOptions const& options);
-Subject subject_of(Original const& original, ModelOptions const& options);
+Subject subject_of(Original const& original, Levels const& levels, ModelOptions const& options);
 
 // ---- One trial: by the job's study
 

@@ -71,7 +71,7 @@ Failure const* Study::failure() const {
 }
 
 Study::Winner const& Study::winner() const {
-  return made_[searches(options_) ? best_trial(options_.fit, history_) : 0];
+  return made_[searches(options_) ? best_trial(subject_, options_.fit, history_) : 0];
 }
 
 }  // namespace vitrine::graph

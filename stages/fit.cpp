@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/fit.h"
 
+#include "stages/byte_model.h"
 #include "stages/error.h"
 
 #include <algorithm>
@@ -17,62 +18,30 @@ constexpr double kFill = 0.975;     ///< of the ceiling: what explorations aim f
 constexpr double kLand = 0.99;      ///< of the ceiling: what the last trials aim for
 constexpr double kFull = 0.97;      ///< of the ceiling: a file this large leaves nothing to gain
 constexpr double kFirstKb = 8;      ///< where a search by error begins
-constexpr double kHeaderBytes = 900;
 constexpr double kMiss = 0.12;      ///< relative: a trial this far from what was aimed at is asked again
 constexpr double kMapShare = 0.5;   ///< of the bytes: a first map has no more
 constexpr int kFewest = 40;         ///< triangles
-constexpr int kSteps = 3;          ///< in one direction
+constexpr int kSteps = 3;           ///< in one direction
 constexpr int kLandings = 6;        ///< trials that may be spent on meeting the limit
 
-/// Bytes of a triangle, roughly: where the first trial aims.
-double expected_rate(Recipe const& recipe) {
-  double rate = 0.25 + 0.1 * recipe.position_bits;
-  if (recipe.shading == Shading::smooth) rate += 0.45;
-  if (recipe.painting == Painting::vertices) rate += 0.07 * recipe.colour_bits;
-  if (recipe.painting == Painting::map) rate += 0.7;
-  return rate;
+/// Where the number of triangles is fixed, bytes are saved as long as that shows little.
+double size_cost(Trial const& trial) {
+  return std::log(std::max(trial.score, 1e-9)) + kErrorPower * std::log(double(trial.bytes));
 }
 
-double expected_texel_bytes(int quality) { return (0.25 + 0.009 * quality) / 8; }
-
-double expected_map_bytes(Recipe const& recipe) {
-  if (recipe.painting != Painting::map) return 0;
-  return recipe.texture * double(recipe.texture) * expected_texel_bytes(recipe.map_quality);
+/// What the winner has the least of.
+double rank(Subject const& subject, FitOptions const& options, Trial const& trial) {
+  if (options.max_error > 0) return double(trial.bytes);
+  return subject.fixed_triangles > 0 ? size_cost(trial) : trial.score;
 }
-
-/// Of a trial, as far as its few triangles tell.
-double rate_of(Trial const& trial) {
-  double const geometry = double(trial.bytes) - double(trial.map_bytes) - kHeaderBytes;
-  return std::max(geometry / trial.recipe.triangles, expected_rate(trial.recipe) / 2);
-}
-
-/// What a recipe with this many triangles will take, as trials of its like did.
-class ByteModel {
- public:
-  ByteModel(Recipe const& recipe, std::span<Trial const> history) : rate_(expected_rate(recipe)), map_(expected_map_bytes(recipe)) {
-    for (Trial const& trial : history) {
-      if (trial.recipe.painting != recipe.painting || std::isinf(trial.error)) continue;
-      rate_ = rate_of(trial) * expected_rate(recipe) / expected_rate(trial.recipe);
-      if (trial.map_bytes > 0)
-        map_ = double(trial.map_bytes) * expected_map_bytes(recipe) / expected_map_bytes(trial.recipe);
-    }
-  }
-
-  int triangles(double bytes) const { return int(std::max(0.0, (bytes - kHeaderBytes - map_) / rate_)); }
-
- private:
-  double rate_, map_;
-};
 
 /// The best trial that keeps within the limits.
-std::optional<std::size_t> best_within(FitOptions const& options, std::span<Trial const> history) {
+std::optional<std::size_t> best_within(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < history.size(); ++i) {
     Trial const& t = history[i];
     if (double(t.bytes) > 1000 * options.max_kb || (options.max_error > 0 && t.error > options.max_error)) continue;
-    bool const better =
-        !best || (options.max_error > 0 ? t.bytes < history[*best].bytes : t.score < history[*best].score);
-    if (better) best = i;
+    if (!best || rank(subject, options, t) < rank(subject, options, history[*best])) best = i;
   }
   return best;
 }
@@ -85,6 +54,7 @@ class Search {
   /// Asks the same questions in the same order each time, and answers those that the history answers.
   std::optional<Recipe> next() {
     if (explore() == Answer::none) return asked_;
+    if (subject_.fixed_triangles > 0) return {};
     if (std::optional<Recipe> const recipe = land()) return recipe;
     return fill_up();
   }
@@ -115,7 +85,7 @@ class Search {
   }
 
   int first_texture() const {
-    double const texels = kMapShare * aim() / expected_texel_bytes(Recipe{}.map_quality);
+    double const texels = kMapShare * aim() / expected_bytes_per_texel(Recipe{}.map_quality);
     return std::clamp(int(std::sqrt(texels)) / 4 * 4, 16, 1024);
   }
 
@@ -200,7 +170,7 @@ class Search {
     Answer answer = answer_to(recipe);
     if (answer == Answer::none) return answer;
     Trial const& first = history_[answered_ - 1];
-    if (std::isinf(first.error) || std::abs(std::log(double(first.bytes) / aim())) < kMiss) return answer;
+    if (subject_.fixed_triangles > 0 || std::isinf(first.error) || std::abs(std::log(double(first.bytes) / aim())) < kMiss) return answer;
     double const share = double(first.map_bytes) / (kMapShare * aim());
     if (share > 1) recipe.texture = std::max(16, int(recipe.texture / std::sqrt(share)));
     int const triangles = affordable(recipe);
@@ -211,6 +181,7 @@ class Search {
   }
 
   int affordable(Recipe const& recipe) const {
+    if (subject_.fixed_triangles > 0) return int(subject_.fixed_triangles);
     int const triangles = ByteModel(recipe, history_.first(answered_)).triangles(aim());
     return std::clamp(triangles, kFewest, std::max(kFewest, most()));
   }
@@ -230,7 +201,8 @@ class Search {
   /// Logarithm of the error that the recipe would have with as many triangles as the bytes allow.
   double cost(Trial const& trial) const {
     if (std::isinf(trial.error)) return trial.error;
-    double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / rate_of(trial);
+    if (subject_.fixed_triangles > 0) return size_cost(trial);
+    double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / bytes_per_triangle(trial);
     double const triangles = std::clamp(allowed, 1.0, std::max(1.0, double(most())));
     return std::log(std::max(trial.score, 1e-9)) - kErrorPower * std::log(triangles / trial.recipe.triangles);
   }
@@ -274,14 +246,14 @@ class Search {
     if (!below && from.recipe.triangles <= kFewest) return {};
     double const rate = below && above ? (double(above->bytes) - double(below->bytes)) /
                                              double(above->recipe.triangles - below->recipe.triangles)
-                                       : rate_of(from);
+                                       : bytes_per_triangle(from);
     int const triangles = from.recipe.triangles + int((kLand * ceiling() - double(from.bytes)) / std::max(0.1, rate));
     int const low = below ? below->recipe.triangles + 1 : kFewest, high = above ? above->recipe.triangles - 1 : most();
     if (low > high) return {};
     return std::clamp(triangles, low, high);
   }
 
-  /// By the power law through the nearest trial; done within 4 % of the limit.
+  /// By the power law through the nearest trials; done within 4 % of the limit.
   std::optional<int> for_error(std::span<Trial const> like) const {
     Trial const *good = nullptr, *bad = nullptr;
     for (Trial const& t : like) {
@@ -292,7 +264,10 @@ class Search {
     if (good && (good->error >= 0.96 * options_.max_error || good->recipe.triangles <= kFewest)) return {};
     if (!good && is_whole(*bad)) return {};
     Trial const& from = good ? *good : *bad;
-    double const factor = std::pow(std::max(from.error, 1e-6) / (0.98 * options_.max_error), 1 / kErrorPower);
+    auto const log_ratio = [](double a, double b) { return std::log(std::max(a, 1e-6) / std::max(b, 1e-6)); };
+    double power = kErrorPower;
+    if (good && bad) power = log_ratio(bad->error, good->error) / log_ratio(good->recipe.triangles, bad->recipe.triangles);
+    double const factor = std::exp(log_ratio(from.error, 0.98 * options_.max_error) / std::max(power, 0.1));
     int const low = bad ? bad->recipe.triangles + 1 : kFewest, high = good ? good->recipe.triangles - 1 : most();
     if (low > high) return {};
     return std::clamp(int(std::min(from.recipe.triangles * factor, 1e6)), low, high);
@@ -301,7 +276,7 @@ class Search {
   /// An original of few triangles leaves bytes for a larger map.
   std::optional<Recipe> fill_up() {
     for (int attempt = 0; attempt < 2; ++attempt) {
-      std::optional<std::size_t> const winner = best_within(options_, history_.first(answered_));
+      std::optional<std::size_t> const winner = best_within(subject_, options_, history_.first(answered_));
       if (!winner || options_.max_error > 0) return {};
       Trial const& trial = history_[*winner];
       if (trial.map_bytes == 0 || !is_whole(trial) || double(trial.bytes) > kFull * ceiling()) return {};
@@ -337,8 +312,8 @@ std::optional<Recipe> next_trial(Subject const& subject, FitOptions const& optio
   return Search(subject, options, history).next();
 }
 
-std::size_t best_trial(FitOptions const& options, std::span<Trial const> history) {
-  if (std::optional<std::size_t> const best = best_within(options, history)) return *best;
+std::size_t best_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {
+  if (std::optional<std::size_t> const best = best_within(subject, options, history)) return *best;
   auto const smaller = [](Trial const& a, Trial const& b) { return a.bytes < b.bytes; };
   auto const nearer = [](Trial const& a, Trial const& b) { return a.error < b.error; };
   Trial const smallest = *std::min_element(history.begin(), history.end(), smaller);

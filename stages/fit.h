@@ -19,6 +19,8 @@ namespace vitrine {
 struct FitOptions {
   double max_kb = 16;
   double max_error = 0;
+  double max_px = 0;
+  double max_deviation = 0;
   double pixel_ratio = 2;
 
   template <class Self, class Visitor>
@@ -26,6 +28,8 @@ struct FitOptions {
     visit(self.max_kb, Field{"max-kb", "KB of 1000 bytes", "no file is larger; the search spends them where they show most", 1, 1e5});
     visit(self.max_error,
           Field{"max-error", "MSE x 10^4", "0: fill --max-kb; else the smallest file whose measured error is at most this", 0, 1e4});
+    visit(self.max_px, Field{"max-px", "pixels", "0: any; else the smallest file whose surface lies nowhere farther from the original's, as --viewport shows it", 0, 1000});
+    visit(self.max_deviation, Field{"max-deviation", "box diagonals", "0: any; else the smallest file whose surface lies nowhere farther from the original's", 0, 1});
     visit(self.pixel_ratio,
           Field{"pixel-ratio", "", "device pixels per CSS pixel of the screens for which the search decides", 0.5, 4});
   }
@@ -69,6 +73,7 @@ struct Subject {
   std::size_t triangles = 0;  ///< of the original: no recipe has more
   bool coloured = false;      ///< colour varies over the surface
   bool textured = false;      ///< and finer than its vertices
+  std::size_t fixed_triangles = 0;  ///< by --max-deviation or --max-px: the fewest that keep to it; 0: free
   bool needs_map = false;     ///< transparency or occlusion, which only a texture can hold
 };
 
@@ -87,6 +92,6 @@ std::optional<Recipe> next_trial(Subject const& subject, FitOptions const& optio
 
 /// Index of the trial to publish, once the search is over.
 /// Errors: NoSolution when no trial keeps within the limits, with the least that could be reached.
-std::size_t best_trial(FitOptions const& options, std::span<Trial const> history);
+std::size_t best_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history);
 
 }  // namespace vitrine

@@ -28,7 +28,7 @@ struct SimplifyOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.triangles, Field{"triangles", "triangles", "simplify each model to at most this many; 0: the search decides", 0, 1e6});
-    visit(self.max_error, Field{"max-deviation", "box diagonals", "stop before the surface moves farther than this", 0, 1});
+    visit(self.max_error, Field{"stop-at-error", "box diagonals", "stop before a collapse moves the surface farther than this", 0, 1});
     visit(self.decimator,
           Field{"decimator", "", "edge collapse: our own with optimal placement, or OpenMesh's as in the paper"});
   }

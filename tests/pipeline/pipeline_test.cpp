@@ -207,6 +207,24 @@ TEST_F(Pipeline, SearchesTheSameAtAnyThreadCount) {
   }
 }
 
+TEST_F(Pipeline, SpendsNoMoreThanADeviationOrAnErrorNeeds) {
+  add("a.obj", test::plain_model(test::bumpy_sphere(96, 48)));
+  ModelOptions loose = searched(100), strict = loose;
+  loose.fit.max_deviation = 0.02, strict.fit.max_deviation = 0.005;
+  ModelRow const few = run(archive(), "few", 2, 0, loose)[0], many = run(archive(), "many", 2, 0, strict)[0];
+  ASSERT_EQ(many.status, "done") << describe(many);
+  EXPECT_LT(few.triangles, many.triangles);
+  EXPECT_LT(few.bytes.total, many.bytes.total);
+
+  ModelOptions error = searched(100);
+  error.fit.max_error = 0.3;
+  error.publish.certificate = true;
+  ModelRow const row = run(archive(), "error", 2, 0, error)[0];
+  ASSERT_EQ(row.status, "done") << describe(row);
+  EXPECT_LE(row.measurement->mean.mse1e4, 0.3);
+  EXPECT_GT(row.measurement->mean.mse1e4, 0.2) << row.triangles;
+}
+
 TEST_F(Pipeline, SaysWhenACeilingCannotBeMet) {
   add("a.obj", test::painted_model(test::bumpy_sphere(64, 32)));
   ModelRow const row = run(archive(), "gallery", 2, 0, searched(0.5))[0];

@@ -41,10 +41,10 @@ std::vector<Trial> search(Subject const& subject, FitOptions const& options, Wor
 
 Trial winner(Subject const& subject, FitOptions const& options, World const& world) {
   std::vector<Trial> const history = search(subject, options, world);
-  return history[best_trial(options, history)];
+  return history[best_trial(subject, options, history)];
 }
 
-constexpr Subject kPlain{100'000, false, false, false}, kPainted{100'000, true, false, false}, kPhoto{100'000, true, true, false};
+constexpr Subject kPlain{100'000}, kPainted{100'000, true}, kPhoto{100'000, true, true};
 
 TEST(Fit, FillsTheCeilingAndNeverExceedsIt) {
   for (Subject const& subject : {kPlain, kPainted, kPhoto})
@@ -78,14 +78,14 @@ TEST(Fit, UsesNormalsOnlyWhereTheyPay) {
 TEST(Fit, SpendsOnTheMapWhatTheOriginalsFewTrianglesLeave) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 256.0 / r.texture : 4; };
-  Subject const box{24, true, true, false};
+  Subject const box{24, true, true};
   Trial const best = winner(box, {.max_kb = 16}, world);
   EXPECT_LE(best.recipe.triangles, 40);
   EXPECT_GT(best.recipe.texture, 256);
 }
 
 TEST(Fit, KeepsWhatCutsOutInAMap) {
-  Subject const leaf{50'000, true, true, true};
+  Subject const leaf{.triangles = 50'000, .coloured = true, .textured = true, .needs_map = true};
   for (Trial const& trial : search(leaf, {.max_kb = 8}, {})) EXPECT_EQ(trial.recipe.painting, Painting::map);
 }
 
@@ -95,20 +95,26 @@ TEST(Fit, FindsTheSmallestFileBelowAnError) {
   EXPECT_GE(best.error, 0.28);
 }
 
+TEST(Fit, LeavesTheTrianglesThatADeviationNeeds) {
+  Subject const bust{.triangles = 100'000, .fixed_triangles = 3000};
+  for (Trial const& trial : search(bust, {.max_kb = 50}, {})) EXPECT_EQ(trial.recipe.triangles, 3000);
+  EXPECT_THROW(best_trial(bust, {.max_kb = 2}, search(bust, {.max_kb = 2}, {})), Error);
+}
+
 TEST(Fit, SaysWhatItReachedWhenALimitCannotBeMet) {
   FitOptions const tiny{.max_kb = 1};
   World heavy;
   heavy.facet_rate = 20;
   std::vector<Trial> const history = search(kPlain, tiny, heavy);
   try {
-    best_trial(tiny, history);
+    best_trial(kPlain, tiny, history);
     FAIL() << "1 KB was met";
   } catch (Error const& e) {
     EXPECT_THAT(e.what(), HasSubstr("1.00 KB"));
     EXPECT_THAT(e.remedy(), HasSubstr("--max-kb"));
   }
   FitOptions const strict{.max_kb = 4, .max_error = 1e-4};
-  EXPECT_THROW(best_trial(strict, search(kPlain, strict, {})), Error);
+  EXPECT_THROW(best_trial(kPlain, strict, search(kPlain, strict, {})), Error);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stages/byte_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+double expected_bytes_per_triangle(Recipe const& recipe) {
+  double bytes = 0.25 + 0.1 * recipe.position_bits;
+  if (recipe.shading == Shading::smooth) bytes += 0.45;
+  if (recipe.painting == Painting::vertices) bytes += 0.07 * recipe.colour_bits;
+  if (recipe.painting == Painting::map) bytes += 0.7;
+  return bytes;
+}
+
+double expected_map_bytes(Recipe const& recipe) {
+  if (recipe.painting != Painting::map) return 0;
+  return recipe.texture * double(recipe.texture) * expected_bytes_per_texel(recipe.map_quality);
+}
+
+}  // namespace
+
+double expected_bytes_per_texel(int map_quality) { return (0.25 + 0.009 * map_quality) / 8; }
+
+double bytes_per_triangle(Trial const& trial) {
+  double const geometry = double(trial.bytes) - double(trial.map_bytes) - kHeaderBytes;
+  return std::max(geometry / trial.recipe.triangles, expected_bytes_per_triangle(trial.recipe) / 2);
+}
+
+ByteModel::ByteModel(Recipe const& recipe, std::span<Trial const> history)
+    : per_triangle_(expected_bytes_per_triangle(recipe)), map_(expected_map_bytes(recipe)) {
+  for (Trial const& trial : history) {
+    if (trial.recipe.painting != recipe.painting || std::isinf(trial.error)) continue;
+    double const bits = expected_bytes_per_triangle(recipe) / expected_bytes_per_triangle(trial.recipe);
+    per_triangle_ = bytes_per_triangle(trial) * bits;
+    if (trial.map_bytes > 0)
+      map_ = double(trial.map_bytes) * expected_map_bytes(recipe) / expected_map_bytes(trial.recipe);
+  }
+}
+
+int ByteModel::triangles(double bytes) const {
+  return int(std::max(0.0, (bytes - kHeaderBytes - map_) / per_triangle_));
+}
+
+}  // namespace vitrine

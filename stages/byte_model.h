@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// What a recipe will weigh, before it is tried: how the search aims.
+
+#include "stages/fit.h"
+
+#include <span>
+
+namespace vitrine {
+
+constexpr double kHeaderBytes = 900;  ///< of a file without geometry and maps
+
+double expected_bytes_per_texel(int map_quality);
+
+/// Of a trial, as far as its few triangles tell.
+double bytes_per_triangle(Trial const& trial);
+
+/// From what the last trial of the same painting took, scaled to the recipe's bits and texels; rough figures, measured
+/// on scans, where there is none yet.
+class ByteModel {
+ public:
+  ByteModel(Recipe const& recipe, std::span<Trial const> history);
+
+  /// That fill so many bytes.
+  int triangles(double bytes) const;
+
+ private:
+  double per_triangle_, map_;
+};
+
+}  // namespace vitrine
