@@ -24,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kPosterQuality = 80;
+constexpr std::size_t kSamples = 120'000;  ///< of the surface, for whatever is fitted to it
 constexpr double kColourWeight = 0.02;  ///< of the one coloured progression: the recipe says whether it is used
 
 std::string ending(std::string const& path) {
@@ -122,7 +123,7 @@ Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptio
   if (!options.publish.certificate) measure.count = 1;  // the poster's
   Reference seen = options.publish.certificate ? reference(model, measure) : viewpoints(model, measure);
   std::vector<Reference> deciding = judges(model, options);
-  SurfaceSamples samples = searches(options) ? sample_surface(model) : SurfaceSamples{};
+  SurfaceSamples samples = searches(options) ? sample_surface(model, kSamples) : SurfaceSamples{};
   return {std::move(model), std::move(seen), std::move(deciding), std::move(samples)};
 }
 

@@ -13,6 +13,7 @@ ModelOptions with_recipe(ModelOptions options, Recipe const& recipe) {
   options.simplify.triangles = recipe.triangles;
   options.quantize.position_bits = recipe.position_bits;
   options.pack.texture = recipe.texture;
+  options.bake.samples = 4;
   options.bake.normal_map = false;
   options.bake.vertex_normals = recipe.shading == Shading::smooth;
   options.encode.colour_quality = recipe.map_quality;
