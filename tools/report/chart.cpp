@@ -78,7 +78,7 @@ void draw_curve(Svg& svg, Curve const& curve, Axis const& x, Axis const& y) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     CurvePoint const& p = curve.points[i];
     svg.marker(line[i], curve.hue, fmt::format("{}, {}: {:.4g} across, {:.3g} up", curve.name, p.label, p.x, p.y));
-    svg.words({line[i].x, line[i].y - 8}, Anchor::middle, p.label, "small");
+    svg.words({line[i].x + 7, line[i].y - 5}, Anchor::start, p.label, "small");  // falling curves leave this side free
   }
 }
 
@@ -136,7 +136,7 @@ Svg stacked_bars(ChartText const& text, std::string const& unit, std::vector<std
 
 Svg log_curves(ChartText const& text, std::string const& x_title, std::string const& y_title, std::vector<Curve> const& all) {
   std::vector<Curve> const curves = drawable(all);
-  double const left = 64, right = kWidth - 20, top = 14, bottom = 330;
+  double const left = 64, right = kWidth - 48, top = 20, bottom = 336;
   Axis const x = log_axis(curves, &CurvePoint::x, left, right), y = log_axis(curves, &CurvePoint::y, bottom, top);
 
   Svg svg(text.id, kWidth, bottom + 52 + legend_height(curves.size()), text.title, text.description);

@@ -30,7 +30,7 @@ figure{margin:1.2em 0}.scroll{overflow-x:auto}.scroll svg{display:block;min-widt
 .stages{display:grid;grid-template-columns:repeat(auto-fill,minmax(150px,1fr));gap:14px;margin:1em 0}
 .stages figure{margin:0}.stages img{width:100%}img{height:auto;max-width:100%;background:#fff;border-radius:4px;display:block}
 figcaption{font-size:.85rem;color:var(--soft);margin-top:.4em}
-.model{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));gap:20px;align-items:start}.model figure{margin:0}
+.model{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));gap:20px;align-items:start}.model figure{margin:0}.model .scroll svg{min-width:480px}
 )";
 
 std::string file_link(std::string const& file, std::string const& text) {

@@ -46,7 +46,7 @@ SourceModel read_thumbnail_file(fs::path const& gallery, Model const& model) {
 // ---- Figure 5
 // ---------------------------------------------------------------------------------------------------------
 
-/// The turntable's first view and the thumbnail's worst.
+/// The turntable's first view and, below, the thumbnail's worst.
 Picture side_by_side(Gallery const& gallery, Model const& model, SurveyedModel const& original) {
   MeasureOptions options;
   Json const& measure = model.certificate.at("measure");
@@ -54,11 +54,12 @@ Picture side_by_side(Gallery const& gallery, Model const& model, SurveyedModel c
   options.size = measure.at("size");
   Reference seen = viewpoints(original, options);
   std::size_t const worst = std::min(model.thumbnail.worst_view, seen.cameras.size() - 1);
-  seen.cameras = {seen.cameras[0], seen.cameras[worst]};
+  seen.cameras = worst == 0 ? std::vector{seen.cameras[0]} : std::vector{seen.cameras[0], seen.cameras[worst]};
   Image const sheet = contact_sheet(pictures(original, seen), pictures(surveyed(read_thumbnail_file(gallery.folder, model)), seen));
+  std::string const views = worst == 0 ? "View 0, the worst." : fmt::format("View 0 above, view {}, the worst, below.", worst);
   return publish_picture(sheet, gallery.folder, "paper/figure5-" + model.slug + ".png",
-                         fmt::format("View 0 above, view {}, the worst, below. {:.1f} KB, MSE x 10^4 {:.2f}, SSIM {:.3f}.", worst,
-                                     double(model.thumbnail.bytes) / 1000, model.thumbnail.mse1e4, model.thumbnail.ssim));
+                         fmt::format("{} {:.1f} KB, MSE x 10^4 {:.2f}, SSIM {:.3f}.", views, double(model.thumbnail.bytes) / 1000,
+                                     model.thumbnail.mse1e4, model.thumbnail.ssim));
 }
 
 // ---- Figure 1

@@ -4,6 +4,8 @@
 namespace vitrine::report {
 namespace {
 
+constexpr int kPaperTriangles = 3000;
+
 /// Geometry and texture grow together, as they buy quality together.
 constexpr struct {
   int triangles, texture;
@@ -15,6 +17,7 @@ std::vector<Setting> settings(std::vector<int> const& textures, graph::ModelOpti
   std::vector<Setting> out;
   for (int texture : textures) {
     Setting paper{"paper-" + std::to_string(texture), true, texture, {}};
+    paper.options.simplify.triangles = kPaperTriangles;
     paper.options.simplify.decimator = Decimator::openmesh;
     paper.options.pack.packing = Packing::boxes;
     paper.options.pack.texture = texture;

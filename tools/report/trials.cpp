@@ -24,20 +24,23 @@ fs::path trial_folder(Gallery const& gallery, Setting const& setting) {
   return gallery.folder / ".vitrine" / "report" / setting.name;
 }
 
-/// The certificate in a trial's folder, if it is about this input, these options and this program.
-std::optional<Thumbnail> kept(Gallery const& gallery, Setting const& setting, Model const& model) {
+/// Whether a certificate is about this input, these options and this program.
+bool answers(Json const& certificate, Setting const& setting, Model const& model) {
+  return certificate.at("input") == model.certificate.at("input") && certificate.at("program") == graph::program_json() &&
+         certificate.at("options") == graph::options_json(setting.options);
+}
+
+/// What there is already: the gallery's own thumbnail where it was made so, or what an earlier run left.
+std::optional<Thumbnail> kept(Gallery const& gallery, Setting const& setting, Model const& model) try {
+  if (answers(model.certificate, setting, model)) return model.thumbnail;
   fs::path const file = trial_folder(gallery, setting) / "models" / model.slug / "certificate.json";
   if (!fs::exists(file)) return {};
-  try {
-    Json const found = read_json(file);
-    bool const same = found.at("input") == model.certificate.at("input") && found.at("program") == graph::program_json() &&
-                      found.at("options") == graph::options_json(setting.options);
-    return same ? std::optional(read_thumbnail(found)) : std::nullopt;
-  } catch (Error const&) {
-    return {};  // damaged: made again
-  } catch (nlohmann::json::exception const&) {
-    return {};
-  }
+  Json const found = read_json(file);
+  return answers(found, setting, model) ? std::optional(read_thumbnail(found)) : std::nullopt;
+} catch (Error const&) {
+  return {};  // damaged: made again
+} catch (nlohmann::json::exception const&) {
+  return {};
 }
 
 double cost(io::ArchiveEntry const& entry) { return 3e5 + double(entry.estimate.triangles); }

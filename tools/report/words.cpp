@@ -53,8 +53,8 @@ void say_variance(Study const& study, Sentences& out) {
   auto const plain = variance_shares(table);
   if (!plain) return;
   std::string text = fmt::format(
-      "With the paper's choices the model explains {:.1f} % of the variance of the error, the texture size {:.1f} %, both "
-      "together in ways of their own {:.1f} % (two-way analysis of variance, {}, {} texture sizes).",
+      "With the paper's choices the model explains {:.1f} % of the variance of the error and the texture size {:.1f} %; {:.1f} % "
+      "are left to models that answer to the texture size in their own way (two-way analysis of variance, {}, {} texture sizes).",
       100 * plain->rows, 100 * plain->columns, 100 * plain->rest, models(table.size()), table[0].size());
   bool positive = true;
   for (auto& row : table)
@@ -85,27 +85,31 @@ void say_exceptions(Study const& study, Sentences& out) {
 // ---- Bytes
 // ------------------------------------------------------------------------------------------------------------
 
-std::string shares_text(std::vector<double> const& shares) {
+/// "45 % of the bytes (36 to 52 %)": the mean and the range.
+std::string shares_text(std::vector<double> const& shares, std::string_view of) {
   double sum = 0;
   for (double share : shares) sum += share;
   auto const [least, most] = std::minmax_element(shares.begin(), shares.end());
-  return fmt::format("{:.0f} % of the bytes on average ({:.0f} to {:.0f} %)", sum / double(shares.size()), *least, *most);
+  return fmt::format("{:.0f} %{} ({:.0f} to {:.0f} %)", sum / double(shares.size()), of, *least, *most);
 }
 
 void say_normal_maps(Study const& study, Sentences& out) {
+  std::string text;
   for (Trial const* trial : paper_trials(study)) {
     std::vector<double> shares;
     for (auto const& thumbnail : trial->thumbnails)
       if (thumbnail && thumbnail->normal > 0) shares.push_back(normal_share(*thumbnail));
     if (!shares.empty())
-      out.push_back(fmt::format("With the paper's choices at {} texels the normal map takes {}.", trial->setting.texture, shares_text(shares)));
+      text += fmt::format("{}{} at {} texels", text.empty() ? "" : ", ", shares_text(shares, text.empty() ? " of the bytes" : ""),
+                          trial->setting.texture);
   }
+  if (!text.empty()) out.push_back("With the paper's choices the normal map takes on average " + text + ".");
   std::vector<double> shares;
   for (Model const& model : study.gallery.models)
     if (model.thumbnail.normal > 0) shares.push_back(normal_share(model.thumbnail));
   if (!shares.empty())
-    out.push_back(fmt::format("In this gallery's thumbnails, where there is a normal map ({}), it takes {}.", models(shares.size()),
-                              shares_text(shares)));
+    out.push_back(fmt::format("In this gallery's thumbnails, where there is a normal map ({}), it takes on average {}.", models(shares.size()),
+                              shares_text(shares, " of the bytes")));
 }
 
 void say_coverage(Study const& study, Sentences& out) {
