@@ -21,7 +21,7 @@ std::vector<double> parts(Thumbnail const& t) {
 }
 
 StackedBar mean_bar(Trial const& trial) {
-  StackedBar bar{fmt::format("{0} x {0}", trial.setting.texture), std::vector<double>(kParts.size(), 0.0)};
+  StackedBar bar{fmt::format("{0} x {0}", trial.setting.size), std::vector<double>(kParts.size(), 0.0)};
   double const made = double(std::count_if(trial.thumbnails.begin(), trial.thumbnails.end(), [](auto const& t) { return bool(t); }));
   for (auto const& thumbnail : trial.thumbnails) {
     if (!thumbnail) continue;
@@ -32,17 +32,12 @@ StackedBar mean_bar(Trial const& trial) {
 }
 
 CurvePoint point(Thumbnail const& thumbnail, std::string label) {
-  return {double(thumbnail.bytes) / 1000, thumbnail.mse1e4, std::move(label)};
-}
-
-std::string label(Setting const& setting) {
-  if (setting.paper) return std::to_string(setting.texture);
-  return fmt::format("{}/{}", setting.options.simplify.triangles, setting.texture);
+  return {double(thumbnail.delivered) / 1000, thumbnail.mse1e4, std::move(label)};
 }
 
 /// One curve of thumbnails and one for each coding of the series, as `pick` takes them from a study.
 std::vector<Curve> named_curves(std::vector<RivalSeries> const& series) {
-  std::vector<Curve> curves{{"Vitrine, triangles/texels", 0, {}}, {"the paper's choices, texels", 1, {}}, {kAlone, 5, {}}};
+  std::vector<Curve> curves{{"Vitrine, ceiling in KB", 0, {}}, {"the paper's choices, texels", 1, {}}, {kAlone, 5, {}}};
   for (RivalSeries const& s : series) {
     std::string const name = codec_name(s.codec) + " series, views";
     if (std::none_of(curves.begin(), curves.end(), [&](Curve const& c) { return c.name == name; }))
@@ -103,8 +98,8 @@ Svg curves_of_all(Study const& study) {
   std::vector<Curve> curves = named_curves(series);
   for (Trial const& trial : study.trials) {
     MeanPoint mean;
-    for (std::size_t m : models) mean.add(double(trial.thumbnails[m]->bytes), trial.thumbnails[m]->mse1e4);
-    curves[trial.setting.paper].points.push_back(mean.point(label(trial.setting)));
+    for (std::size_t m : models) mean.add(double(trial.thumbnails[m]->delivered), trial.thumbnails[m]->mse1e4);
+    curves[trial.setting.paper].points.push_back(mean.point(std::to_string(trial.setting.size)));
   }
   MeanPoint own;
   for (std::size_t m : models) own.add(double(all[m].thumbnail.bytes), all[m].thumbnail.mse1e4);
@@ -127,7 +122,7 @@ Svg curves_of(Study const& study, std::size_t m) {
   Model const& model = study.gallery.models[m];
   std::vector<Curve> curves = named_curves(model.thumbnail.series);
   for (Trial const& trial : study.trials)
-    if (auto const& thumbnail = trial.thumbnails[m]) curves[trial.setting.paper].points.push_back(point(*thumbnail, label(trial.setting)));
+    if (auto const& thumbnail = trial.thumbnails[m]) curves[trial.setting.paper].points.push_back(point(*thumbnail, std::to_string(trial.setting.size)));
   curves[2].points.push_back(point(model.thumbnail, ""));
   for (RivalSeries const& s : model.thumbnail.series)
     series_curve(curves, s.codec).points.push_back({double(s.bytes) / 1000, s.turning_mse1e4, std::to_string(s.frames)});

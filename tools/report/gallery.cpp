@@ -81,6 +81,7 @@ Thumbnail read_thumbnail(Json const& certificate) try {
   Json const &bytes = certificate.at("bytes"), &measure = certificate.at("measure");
   Thumbnail out;
   out.bytes = bytes.at("total");
+  out.delivered = certificate.value("x3dBytes", out.bytes);
   out.geometry = bytes.at("geometry");
   out.colour = bytes.at("colour");
   out.normal = bytes.at("normal");

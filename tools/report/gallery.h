@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 /// One thumbnail as its certificate has it. Errors are MSE x 10^4.
 struct Thumbnail {
   std::size_t bytes = 0, geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
+  std::size_t delivered = 0;  ///< of the zip for X3DOM where there is one, as the paper counts; else bytes
   double mse1e4 = 0, ssim = 0;
   double coverage = 0;  ///< share of the pictures that the original covers
   std::size_t worst_view = 0;

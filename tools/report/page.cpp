@@ -92,9 +92,10 @@ std::string made_with(Study const& study) {
   std::string out = "<h2>How these were made</h2>\n<p>&ldquo;This gallery&rdquo; is what <code>vitrine convert</code> wrote, with the options in "
                     "<a href=\"report.json\">report.json</a>. For the rest <code>vitrine report</code> converted the same originals again:</p>\n<ul>\n";
   for (Trial const& trial : study.trials) {
-    graph::ModelOptions const& o = trial.setting.options;
-    out += fmt::format("<li>{}: {} triangles at most, {} texels a side</li>\n", trial.setting.paper ? "the paper&#39;s choices" : "Vitrine&#39;s defaults",
-                       o.simplify.triangles, o.pack.texture);
+    Setting const& setting = trial.setting;
+    out += setting.paper ? fmt::format("<li>the paper&#39;s choices: {} triangles at most, textures of {} texels a side</li>\n",
+                                       setting.options.simplify.triangles, setting.size)
+                         : fmt::format("<li>Vitrine&#39;s search for the best file of at most {} KB</li>\n", setting.size);
   }
   return out + "</ul>\n";
 }

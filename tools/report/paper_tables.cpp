@@ -51,7 +51,7 @@ void add_means(Table& table) {
 /// Columns for each texture size of the paper's thumbnails, then one for the gallery's own.
 Table by_texture(Study const& study, std::string name, std::string caption, double (*figure)(Thumbnail const&), int digits) {
   Table table{std::move(name), std::move(caption), {"model"}, {}};
-  for (Trial const* trial : paper_trials(study)) table.columns.push_back(fmt::format("{} x {}", trial->setting.texture, trial->setting.texture));
+  for (Trial const* trial : paper_trials(study)) table.columns.push_back(fmt::format("{0} x {0}", trial->setting.size));
   table.columns.push_back("this gallery");
   Values const values = paper_values(study, figure);
   for (std::size_t m = 0; m < values.size(); ++m) {
@@ -114,7 +114,7 @@ Table table2(Study const& study) {
 
 Table table3(Study const& study) {
   Table table = by_texture(study, "table3", "Table 3. Thumbnails: KB by texture size with the paper's choices, image series beside",
-                           [](Thumbnail const& t) { return kilobytes(t.bytes); }, 1);
+                           [](Thumbnail const& t) { return kilobytes(t.delivered); }, 1);
   table.columns.insert(table.columns.end(), {"8 views JPEG q90", "8 views WebP q80"});
   for (std::size_t m = 0; m < table.rows.size(); ++m)
     for (char const* codec : {"jpeg90", "webp80"})

@@ -121,17 +121,19 @@ std::vector<Picture> stages_of(Gallery const& gallery, Model const& model, Surve
   };
   add(view(original, cameras, !model.coloured), "original", fmt::format("the scan: {} triangles", model.triangles));
   add(view(surveyed(bare(light.mesh)), cameras, true), "simplified", fmt::format("simplified: {} triangles", light.mesh.triangles.size()));
-  add(view(surveyed(chart_coloured(charts)), cameras, false), "charts", fmt::format("cut into {} charts", charts.charts));
+  if (model.thumbnail.colour + model.thumbnail.normal > 0)
+    add(view(surveyed(chart_coloured(charts)), cameras, false), "charts", fmt::format("cut into {} charts", charts.charts));
   add_maps(thumbnail, gallery, out);
   bool const plain = !model.coloured && thumbnail.materials.front().colour_map.image < 0;
   add(view(surveyed(std::move(thumbnail)), cameras, plain), "thumbnail", fmt::format("the thumbnail: {:.1f} KB", double(model.thumbnail.bytes) / 1000));
   return out;
 }
 
-/// The first coloured model, as it shows all stages; else the first.
+/// The first model with a colour map, as it shows all stages; else the first with any map, else the first.
 std::size_t subject(std::vector<Model> const& models) {
-  auto const found = std::find_if(models.begin(), models.end(), [](Model const& m) { return m.coloured; });
-  return found == models.end() ? 0 : std::size_t(found - models.begin());
+  auto const maps = [](Model const& m) { return (m.thumbnail.colour > 0) + (m.thumbnail.colour + m.thumbnail.normal > 0); };
+  auto const less = [&](Model const& a, Model const& b) { return maps(a) < maps(b); };
+  return std::size_t(std::max_element(models.begin(), models.end(), less) - models.begin());
 }
 
 }  // namespace

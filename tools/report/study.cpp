@@ -5,11 +5,7 @@ namespace vitrine::report {
 namespace {
 
 constexpr int kPaperTriangles = 3000;
-
-/// Geometry and texture grow together, as they buy quality together.
-constexpr struct {
-  int triangles, texture;
-} kOwn[] = {{500, 64}, {1500, 128}, {3000, 256}, {6000, 512}};
+constexpr int kCeilings[] = {4, 8, 16, 32};
 
 }  // namespace
 
@@ -26,11 +22,10 @@ std::vector<Setting> settings(std::vector<int> const& textures, graph::ModelOpti
     paper.options.encode.colour_quality = 90;
     out.push_back(std::move(paper));
   }
-  for (auto const& own : kOwn) {
-    Setting setting{"own-" + std::to_string(own.triangles) + "-" + std::to_string(own.texture), false, own.texture, {}};
-    setting.options.simplify.triangles = own.triangles;
-    setting.options.pack.texture = own.texture;
-    out.push_back(std::move(setting));
+  for (int kilobytes : kCeilings) {
+    Setting own{"own-" + std::to_string(kilobytes), false, kilobytes, {}};
+    own.options.fit.max_kb = kilobytes;
+    out.push_back(std::move(own));
   }
   for (Setting& setting : out) {
     setting.options.read = gallery.read;

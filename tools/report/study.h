@@ -15,8 +15,8 @@ namespace vitrine::report {
 /// A way to make thumbnails.
 struct Setting {
   std::string name;     ///< "paper-256"; of its folder, too
-  bool paper = false;   ///< the paper's choices, else Vitrine's own
-  int texture = 0;      ///< texels a side
+  bool paper = false;   ///< the paper's choices, else Vitrine's search
+  int size = 0;         ///< texels a side of the paper's textures; KB that the search may spend
   graph::ModelOptions options;
 };
 
@@ -31,7 +31,8 @@ struct Study {
   std::vector<Trial> trials;
 };
 
-/// The paper's choices at each texture size, and Vitrine's own from small to large; originals read and measured as `gallery`'s.
+/// The paper's choices at each texture size, and Vitrine's search under rising ceilings; originals read and measured as
+/// `gallery`'s.
 std::vector<Setting> settings(std::vector<int> const& textures, graph::ModelOptions const& gallery);
 
 /// The trials with the paper's choices, by texture size.

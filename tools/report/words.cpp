@@ -77,7 +77,7 @@ void say_exceptions(Study const& study, Sentences& out) {
   std::string text = "The error falls with each larger texture, but for:";
   for (Rise const& rise : found)
     text += fmt::format("{} {} from {} to {} texels ({:.2f} to {:.2f})", &rise == &found[0] ? "" : ";", study.gallery.models[rise.row].title,
-                        trials[rise.column - 1]->setting.texture, trials[rise.column]->setting.texture, *values[rise.row][rise.column - 1],
+                        trials[rise.column - 1]->setting.size, trials[rise.column]->setting.size, *values[rise.row][rise.column - 1],
                         *values[rise.row][rise.column]);
   out.push_back(text + ".");
 }
@@ -101,7 +101,7 @@ void say_normal_maps(Study const& study, Sentences& out) {
       if (thumbnail && thumbnail->normal > 0) shares.push_back(normal_share(*thumbnail));
     if (!shares.empty())
       text += fmt::format("{}{} at {} texels", text.empty() ? "" : ", ", shares_text(shares, text.empty() ? " of the bytes" : ""),
-                          trial->setting.texture);
+                          trial->setting.size);
   }
   if (!text.empty()) out.push_back("With the paper's choices the normal map takes on average " + text + ".");
   std::vector<double> shares;
