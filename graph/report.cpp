@@ -37,6 +37,7 @@ json measure_json(Measurement const& m) {
           {"views", o.count},
           {"size", o.size},
           {"light", shown(o.light)},
+          {"ao", shown(o.occlusion)},
           {"mse1e4", m.mean.mse1e4},
           {"foregroundMse1e4", m.mean.foreground_mse1e4},
           {"psnr", m.mean.psnr},

@@ -39,8 +39,8 @@ std::vector<Reference> judges(SurveyedModel const& model, ModelOptions const& op
   if (options.fit.max_error > 0) return {reference(model, {.size = options.publish.viewport})};  // what is promised
   int const size = int(std::lround(options.publish.viewport * options.fit.pixel_ratio));
   std::vector<Reference> all;
-  for (MeasureOptions const& measure : {MeasureOptions{ViewSet::turntable, 3, size, Light::head, 2},
-                                        MeasureOptions{ViewSet::sphere, 3, size, Light::side, 2}})
+  for (MeasureOptions const& measure : {MeasureOptions{ViewSet::turntable, 3, size, Light::head, 2, options.bake.occlusion},
+                                        MeasureOptions{ViewSet::sphere, 3, size, Light::side, 2, options.bake.occlusion}})
     all.push_back(reference(model, measure));
   return all;
 }
@@ -74,9 +74,11 @@ std::size_t fewest_within(double limit, Progression const& levels, SurfaceSample
 }
 
 /// Decoded and not repaired: what a client cannot draw is to be seen here.
-SurveyedModel decode(EncodedThumbnail const& thumbnail) {
+SurveyedModel decode(EncodedThumbnail const& thumbnail, Occlusion occlusion) {
   io::Resolve const nothing = [](std::string_view) { return std::nullopt; };
-  return survey(std::make_shared<SourceModel const>(io::read_model(".glb", io::own(thumbnail.glb), nothing)));
+  io::ReadOptions options;
+  options.occlusion_maps = occlusion == Occlusion::occlusion;
+  return survey(std::make_shared<SourceModel const>(io::read_model(".glb", io::own(thumbnail.glb), nothing, options)));
 }
 
 Measurement measurement(Reference const& reference, Comparison const& comparison) {
@@ -117,9 +119,11 @@ CleanModel load_model(Job& job, io::ReadOptions const& options) {
 }
 
 Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options) {
-  SurveyedModel model = survey(std::shared_ptr<SourceModel const>(clean, &clean->model));
+  int const occlusion_rays = options.bake.occlusion == Occlusion::none ? 0 : options.bake.occlusion_rays;
+  SurveyedModel model = survey(std::shared_ptr<SourceModel const>(clean, &clean->model), occlusion_rays);
   MeasureOptions measure;
   measure.size = options.publish.viewport;
+  measure.occlusion = options.bake.occlusion;
   if (!options.publish.certificate) measure.count = 1;  // the poster's
   Reference seen = options.publish.certificate ? reference(model, measure) : viewpoints(model, measure);
   std::vector<Reference> deciding = judges(model, options);
@@ -216,7 +220,7 @@ EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
 void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
   double error = 0, score = 0;
   if (!job.original->judges.empty()) {
-    SurveyedModel const decoded = decode(*file);
+    SurveyedModel const decoded = decode(*file, job.study->options().bake.occlusion);
     for (Reference const& judge : job.original->judges) {
       Difference const mean = compare(judge.pictures, pictures(decoded, judge)).mean;
       error += mean.mse1e4 / double(job.original->judges.size());
@@ -233,7 +237,7 @@ void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
 Finished certify(EncodedThumbnail const& thumbnail, PublishOptions const& options, Job& job) {
   Reference const& reference = job.original->reference;
   ModelRow& row = job.row;
-  std::vector<Image> drawn = pictures(decode(thumbnail), reference);
+  std::vector<Image> drawn = pictures(decode(thumbnail, reference.options.occlusion), reference);
   if (!reference.pictures.empty()) {
     row.measurement = measurement(reference, compare(reference.pictures, drawn));
     row.series = series_sizes(reference);

@@ -89,12 +89,26 @@ Material GltfMaterials::read(GltfJson const& description, std::uint64_t& uv_set)
   else if (normal_map)
     material.normal_map = use(*normal_map, ColourSpace::linear);
   if (normal_map) material.normal_scale = static_cast<float>(real(*normal_map, "scale", 1));
+  if (GltfJson const* const map = occlusion_maps_ ? member(description, "occlusionTexture") : nullptr)
+    read_occlusion(*map, !colour_map && !normal_map, material, uv_set);
   if (emits(description)) model_.notes.push_back("emission of material \"" + material.name + "\" is not drawn");
   read_alpha(description, material);
   material.coloured = material.colour_map.image >= 0 || is_tint(material.base_colour);
   material.unlit = extension(description, "KHR_materials_unlit") != nullptr;
   material.double_sided = flag(description, "doubleSided");
   return material;
+}
+
+/// `alone`: no other texture has chosen the material's texture coordinates.
+void GltfMaterials::read_occlusion(GltfJson const& map, bool alone, Material& material, std::uint64_t& uv_set) {
+  if (alone) uv_set = uv_set_of(map);
+  if (uv_set_of(map) != uv_set) {
+    model_.notes.push_back("occlusion map of material \"" + material.name +
+                           "\" left out: it has texture coordinates of its own");
+    return;
+  }
+  material.occlusion_map = use(map, ColourSpace::linear);
+  material.occlusion_strength = static_cast<float>(std::clamp(real(map, "strength", 1), 0.0, 1.0));
 }
 
 /// AVIF or WebP where the file offers it, else what it offers everybody.

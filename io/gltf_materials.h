@@ -15,7 +15,8 @@ namespace vitrine::io {
 /// The materials of a model as primitives ask for them, each read once.
 class GltfMaterials {
  public:
-  GltfMaterials(GltfFile& gltf, SourceModel& model) : gltf_(gltf), model_(model), textures_(model, gltf.limits()) {}
+  GltfMaterials(GltfFile& gltf, SourceModel& model, ReadOptions const& options)
+      : gltf_(gltf), model_(model), textures_(model, options.limits), occlusion_maps_(options.occlusion_maps) {}
 
   struct Entry {
     std::uint16_t index = 0;   ///< into SourceModel::materials
@@ -26,6 +27,7 @@ class GltfMaterials {
   Entry take(std::optional<std::uint64_t> material);
 
  private:
+  void read_occlusion(GltfJson const& map, bool alone, Material& material, std::uint64_t& uv_set);
   Material read(GltfJson const& description, std::uint64_t& uv_set);
   TextureUse use(GltfJson const& texture_info, ColourSpace space);
   std::optional<std::uint64_t> image_of(GltfJson const& texture) const;
@@ -33,6 +35,7 @@ class GltfMaterials {
   GltfFile& gltf_;
   SourceModel& model_;
   Textures textures_;
+  bool occlusion_maps_;
   std::map<std::optional<std::uint64_t>, Entry> taken_;
 };
 

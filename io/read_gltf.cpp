@@ -70,7 +70,8 @@ Pose rest_pose(GltfPrimitive const& part, MeshInstance const& instance) {
 /// Collects the parts of a scene in one model.
 class Flattener {
  public:
-  Flattener(GltfFile& gltf, SourceModel& model) : gltf_(gltf), model_(model), materials_(gltf, model) {}
+  Flattener(GltfFile& gltf, SourceModel& model, ReadOptions const& options)
+      : gltf_(gltf), model_(model), materials_(gltf, model, options) {}
 
   /// `instances` share one mesh.
   void add(std::span<MeshInstance const> instances) {
@@ -150,10 +151,10 @@ class Flattener {
 
   void drop_maps() {
     for (Material& material : model_.materials) {
-      if (material.colour_map.image >= 0 || material.normal_map.image >= 0)
+      if (material.colour_map.image >= 0 || material.normal_map.image >= 0 || material.occlusion_map.image >= 0)
         model_.notes.push_back("textures of material \"" + material.name +
                                "\" left out: there are no texture coordinates");
-      material.colour_map = material.normal_map = TextureUse{};
+      material.colour_map = material.normal_map = material.occlusion_map = TextureUse{};
     }
     model_.images.clear();
   }
@@ -173,7 +174,7 @@ SourceModel read_gltf(Blob const& file, Resolve const& resolve, ReadOptions cons
   std::stable_sort(instances.begin(), instances.end(),
                    [](MeshInstance const& a, MeshInstance const& b) { return a.mesh < b.mesh; });
   SourceModel model;
-  Flattener flattener(gltf, model);
+  Flattener flattener(gltf, model, options);
   for (auto begin = instances.cbegin(); begin != instances.cend();) {
     auto const end =
         std::find_if(begin, instances.cend(), [&](MeshInstance const& i) { return i.mesh != begin->mesh; });

@@ -35,6 +35,7 @@ enum class MtlKd { ignore, multiply };  ///< what a Kd beside a map_Kd does
 struct ReadOptions {
   ReadLimits limits;
   MtlKd mtl_kd = MtlKd::ignore;
+  bool occlusion_maps = false;  ///< those of glTF: only a thumbnail that is measured with them needs them
 };
 
 SourceModel read_ply(Blob const& file, Resolve const& resolve, ReadOptions const& options = {});

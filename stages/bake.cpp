@@ -5,7 +5,6 @@
 #include "stages/clean.h"
 #include "stages/colour.h"
 #include "stages/fill.h"
-#include "stages/occlusion.h"
 #include "stages/parallel.h"
 #include "stages/plain_model.h"
 #include "stages/quantize.h"
@@ -21,9 +20,6 @@ namespace vitrine {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-/// Occlusion rays start this far off the surface, as a share of the bounding box's diagonal.
-constexpr float kOcclusionOffset = 1e-4f;
 
 template <class Value>
 std::array<Value, 3> corners(std::vector<Value> const& values, Triangle const& face) {
@@ -136,7 +132,6 @@ class Baker {
     V3f normal(0);
     float seen = 0;
     std::uint32_t const begin = tile.first[t], end = tile.first[t + 1];
-    int const rays = (options_.occlusion_rays + int(end - begin) - 1) / int(end - begin);
     for (std::uint32_t s = begin; s < end; ++s) {
       V3f const side = outwards(tile.samples[s]);
       Match const found = match(position(tile.samples[s]), side);
@@ -150,21 +145,13 @@ class Baker {
         plain[k] += sample.colour[k];
       }
       sum[3] += sample.colour[3];
-      if (layers.occlusion.channels > 0)
-        seen += sky_seen(found.hit, sample.normal, rays, std::uint32_t(texel) * 256 + s - begin);
+      if (layers.occlusion.channels > 0) seen += original_.occlusion->at(original_.model->mesh, found.hit);
     }
     float const count = float(end - begin);
     if (layers.colour.channels > 0) store_colour(sum, plain, count, layers.colour.at(texel));
     if (layers.normal.channels > 0) store_normal(tile.centres[t], normal, layers.normal.at(texel));
     if (layers.occlusion.channels > 0) *layers.occlusion.at(texel) = seen / count;
     return misses;
-  }
-
-  float sky_seen(Hit const& hit, V3f const& normal, int rays, std::uint32_t pattern) const {
-    TriMesh const& mesh = original_.model->mesh;
-    auto const p = corners(mesh.positions, mesh.triangles[hit.face]);
-    V3f const point = interpolate(p[0], p[1], p[2], Barycentric{hit.u, hit.v});
-    return visibility(original_.scene, point, normal, kOcclusionOffset * diagonal_, rays, pattern);
   }
 
   static void store_colour(Rgba const& sum, Rgba const& plain, float count, float* texel) {
@@ -224,7 +211,7 @@ Layers wanted_layers(Atlas const& atlas, SurveyedModel const& original, BakeOpti
     return wanted ? Layer(atlas.width, atlas.height, channels) : Layer();
   };
   return {layer(original.surface.coloured(), 4), layer(options.normal_map && !original.surface.unlit(), 3),
-          layer(options.occlusion != Occlusion::none && !has_colour(*original.model), 1),
+          layer(options.occlusion != Occlusion::none && original.occlusion.has_value(), 1),
           std::vector<std::uint8_t>(std::size_t(atlas.width) * atlas.height)};
 }
 

@@ -4,20 +4,11 @@
 /// Source: Sander et al. 2001 and Cignoni et al. 1998 (normal shooting); Limper et al. 2015, section 3.3.
 
 #include "stages/data.h"
+#include "stages/occlusion.h"
 #include "stages/options.h"
 #include "stages/surface.h"
 
 namespace vitrine {
-
-enum class Occlusion {
-  none,
-  occlusion,  ///< as glTF occlusionTexture
-  colour      ///< as grey base colour of uncoloured models, as the paper did
-};
-template <>
-struct EnumNames<Occlusion> {
-  static constexpr std::array<std::string_view, 3> names{"none", "occlusion", "colour"};
-};
 
 struct BakeOptions {
   int samples = 9;      ///< per texel; a square number
@@ -25,7 +16,7 @@ struct BakeOptions {
   bool normal_map = true;
   bool vertex_normals = true;
   Occlusion occlusion = Occlusion::none;
-  int occlusion_rays = 64;  ///< per texel
+  int occlusion_rays = kOcclusionRays;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -37,7 +28,7 @@ struct BakeOptions {
                 "store smooth normals, as a normal map needs anyway; without them clients draw facets"});
     visit(self.occlusion,
           Field{"ao", "", "ambient occlusion for models without colour: as glTF occlusion, or as grey colour"});
-    visit(self.occlusion_rays, Field{"ao-rays", "rays", "per texel", 4, 4096});
+    visit(self.occlusion_rays, Field{"ao-rays", "rays", "from each place of the original, see --ao", 4, 4096});
   }
 };
 
@@ -48,7 +39,7 @@ struct BakeOptions {
 ///
 /// Out:    vertex normals for the quantised mesh, as the client decodes them; maps as large as the atlas, in which
 ///         every texel that a client reads for a point of a chart has its values, and the rest is filled smoothly.
-///         No colour map for models of one colour or none; alpha only where something is transparent; normals in the
+///         No colour map for models of one colour or none; occlusion as the survey traced it; alpha only where something is transparent; normals in the
 ///         frame of the chart's tangent, which goes with them (tangent_frame.h), none for unlit models. Double-sided if
 ///         the original is, or the mesh has a boundary. The same bytes at any thread count.
 /// Cost:   two rays a sample, tiles of the texture in parallel; 12 floats a texel at most.

@@ -69,6 +69,8 @@ struct Material {
   TextureUse colour_map;         ///< sRGB
   TextureUse normal_map;         ///< tangent space, glTF's orientation
   float normal_scale = 1;
+  TextureUse occlusion_map;      ///< linear, in the first channel
+  float occlusion_strength = 1;
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool unlit = false;

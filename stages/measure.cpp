@@ -13,8 +13,13 @@ bool painted(SourceModel const& model) {
 
 }  // namespace
 
+int occlusion_rays(MeasureOptions const& options) {
+  return options.occlusion == Occlusion::none ? 0 : kOcclusionRays;
+}
+
 Reference viewpoints(SurveyedModel const& original, MeasureOptions const& options) {
   Reference made{options, bounding_sphere(*original.model), {}, {}, has_colour(*original.model)};
+  if (made.coloured) made.options.occlusion = Occlusion::none;
   for (V3d const& direction : directions(options.views, options.count))
     made.cameras.push_back(camera(made.sphere, direction));
   return made;
@@ -28,13 +33,15 @@ Reference reference(SurveyedModel const& original, MeasureOptions const& options
 
 std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras, Reference const& like) {
   MeasureOptions const& options = like.options;
-  return render(original, cameras, {options.size, options.light, !like.coloured, options.supersample});
+  return render(original, cameras,
+                {options.size, options.light, !like.coloured, options.supersample, options.occlusion});
 }
 
 std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original) {
-  bool const grey = !original.coloured && !painted(*thumbnail.model);
   MeasureOptions const& options = original.options;
-  return render(thumbnail, original.cameras, {options.size, options.light, grey, options.supersample});
+  bool const grey = !original.coloured && (options.occlusion == Occlusion::colour || !painted(*thumbnail.model));
+  return render(thumbnail, original.cameras,
+                {options.size, options.light, grey, options.supersample, options.occlusion});
 }
 
 double coverage(std::vector<Image> const& pictures) {

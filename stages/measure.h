@@ -13,6 +13,7 @@ struct MeasureOptions {
   int size = 200;
   Light light = Light::head;
   int supersample = 4;
+  Occlusion occlusion = Occlusion::none;  ///< of originals without colour; the thumbnail's is its own
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -21,8 +22,14 @@ struct MeasureOptions {
     visit(self.size, Field{"size", "pixels", "side of a picture", 11, 1024});
     visit(self.light, Field{"light", "", "from the camera, or from its upper left"});
     visit(self.supersample, Field{"supersample", "", "pictures are drawn so many times larger, then reduced", 1, 4});
+    visit(self.occlusion, Field{"ao", "",
+                                "draw originals without colour with ambient occlusion: of the ambient light, as glTF's, or "
+                                "as grey colour; and thumbnails with theirs"});
   }
 };
+
+/// What survey must be told, so that the original can be drawn by these options.
+int occlusion_rays(MeasureOptions const& options);
 
 /// The original's side of every comparison: made once per original.
 struct Reference {
@@ -35,6 +42,7 @@ struct Reference {
 
 /// The cameras alone, nothing drawn. Errors: those of bounding_sphere.
 Reference viewpoints(SurveyedModel const& original, MeasureOptions const& options);
+/// In:     an original whose occlusion is traced, if options.occlusion asks for it and it has no colour.
 /// Errors: those of bounding_sphere.
 Reference reference(SurveyedModel const& original, MeasureOptions const& options);
 
@@ -42,7 +50,8 @@ Reference reference(SurveyedModel const& original, MeasureOptions const& options
 std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras, Reference const& like);
 
 /// The thumbnail as the original's cameras see it. Where neither side has a colour both are drawn in one grey; a
-/// thumbnail with a colour texture or vertex colours is drawn as it is.
+/// thumbnail with a colour texture or vertex colours is drawn as it is, unless that is the occlusion of an original
+/// without colour: then white stands for the same grey on both sides.
 std::vector<Image> pictures(SurveyedModel const& thumbnail, Reference const& original);
 
 /// Share of the pictures' area that the object covers.

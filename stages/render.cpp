@@ -161,14 +161,31 @@ class Painter {
     Lanes facing;
     seen.meet(rays, lens_, at, facing);
     SurfaceLanes surface;
-    model_.surface.sample(seen.facet, at, surface);
+    look_at(seen.facet, at, surface);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < at.count; ++i) {
-        samples.colour[k][from + i] = options_.grey ? kGrey : surface.colour[k][i];
+        samples.colour[k][from + i] = surface.colour[k][i];
         samples.normal[k][from + i] = surface.normal[k][i] * facing[i];
       }
+    std::copy_n(surface.occlusion.begin(), at.count, samples.open.begin() + from);
     std::fill_n(samples.lit.begin() + from, at.count, seen.facet.material->unlit ? 0.f : 1.f);
     return from + at.count;
+  }
+
+  /// The surface as the options want it drawn: grey in place of its colour, occluded or open.
+  void look_at(Facet const& facet, Places const& at, SurfaceLanes& surface) const {
+    model_.surface.sample(facet, at, surface);
+    if (options_.occlusion != Occlusion::none && model_.occlusion)
+      for (std::size_t i = 0; i < at.count; ++i)
+        surface.occlusion[i] = model_.occlusion->at(model_.model->mesh, {facet.face, at.u[i], at.v[i]});
+    bool const own_share = options_.occlusion == Occlusion::colour && !model_.occlusion;
+    if (options_.grey)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < at.count; ++i) {
+          float const share = options_.occlusion != Occlusion::colour ? 1 : own_share ? surface.colour[k][i] : surface.occlusion[i];
+          surface.colour[k][i] = kGrey * share;
+        }
+    if (options_.occlusion != Occlusion::occlusion) surface.occlusion.fill(1);
   }
 
   /// Packets of rays, each for a square of pixels.
@@ -240,10 +257,10 @@ class Painter {
     Lanes facing;
     seen.meet(sight, lens_, at, facing);
     SurfaceLanes surface;
-    model_.surface.sample(seen.facet, at, surface);
-    V3f const own(surface.colour[0][0], surface.colour[1][0], surface.colour[2][0]);
-    V3f const base = options_.grey ? V3f(kGrey) : own, normal = lane(surface.normal, 0) * facing[0];
-    V3f const light = seen.facet.material->unlit ? base : shading(base, normal);
+    look_at(seen.facet, at, surface);
+    V3f const base(surface.colour[0][0], surface.colour[1][0], surface.colour[2][0]);
+    V3f const normal = lane(surface.normal, 0) * facing[0];
+    V3f const light = seen.facet.material->unlit ? base : shading(base, normal, surface.occlusion[0]);
     return {{srgb_byte(light.x), srgb_byte(light.y), srgb_byte(light.z)}, surface.colour[3][0]};
   }
 

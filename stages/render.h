@@ -23,6 +23,9 @@ struct PictureOptions {
   Light light = Light::head;
   bool grey = false;  ///< linear 0.5 in place of the base colour: how an object without any colour is drawn
   int supersample = 4;  ///< drawn so many times larger, then reduced; at most 4
+  /// By the ambient occlusion that the survey traced, else by the model's own: its occlusion map; or, as colour, its base
+  /// colour, which then counts as the share of that grey.
+  Occlusion occlusion = Occlusion::none;
 };
 
 /// One picture for each camera: RGBA, on white, sRGB; alpha is the share of the pixel's samples that the object covers.

@@ -54,13 +54,13 @@ inline Shading::Light Shading::light(float dot_nl, float dot_nv) const {
   dot_nv = dot_nv < 1 ? dot_nv : 1;
   float const both = dot_nl + dot_nv, visible = 0.5f / (both > 1e-6f ? both : 1e-6f);  // Smith's term at roughness 1
   float const direct = kDirectional * dot_nl;
-  return {kAmbient * (1 - ambient_reflectance(dot_nv)) + direct * (1 - fresnel_),
+  return {kAmbient * (1 - ambient_reflectance(dot_nv)), direct * (1 - fresnel_),
           direct * fresnel_ * visible * multiple_scattering(dot_nv)};
 }
 
-V3f Shading::operator()(V3f const& base_colour, V3f const& normal) const {
+V3f Shading::operator()(V3f const& base_colour, V3f const& normal, float open) const {
   Light const falls = light(normal.dot(to_light_), normal.dot(to_eye_));
-  return base_colour * falls.diffuse + V3f(falls.specular);
+  return base_colour * (falls.ambient * open + falls.diffuse) + V3f(falls.specular);
 }
 
 void Shading::operator()(Samples& samples) const {
@@ -69,7 +69,8 @@ void Shading::operator()(Samples& samples) const {
   for (std::size_t i = 0; i < kLanes; ++i) {
     Light const falls = light(x[i] * to_light_.x + y[i] * to_light_.y + z[i] * to_light_.z,
                               x[i] * to_eye_.x + y[i] * to_eye_.y + z[i] * to_eye_.z);
-    float const lit = samples.lit[i], diffuse = lit * falls.diffuse + (1 - lit), specular = lit * falls.specular;
+    float const lit = samples.lit[i], specular = lit * falls.specular;
+    float const diffuse = lit * (falls.ambient * samples.open[i] + falls.diffuse) + (1 - lit);
     r[i] = r[i] * diffuse + specular;
     g[i] = g[i] * diffuse + specular;
     b[i] = b[i] * diffuse + specular;

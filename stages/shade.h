@@ -11,6 +11,7 @@ namespace vitrine {
 struct Samples {
   LaneVector<3> colour{};  ///< linear base colour; then radiance
   LaneVector<3> normal{};  ///< unit, turned to the side that is seen
+  Lanes open{};            ///< share of the ambient light that comes through
   Lanes lit{};             ///< 1, or 0 where the colour is shown as it is
 };
 
@@ -23,13 +24,14 @@ class Shading {
   Shading(V3f const& to_eye, V3f const& to_light);
 
   /// Linear radiance: ambient 0.25 and directional 0.7 of the base colour, less what the specular lobe (GGX, F0 0.04)
-  /// takes from the diffuse one. `normal`: unit, turned to the side that is seen.
-  V3f operator()(V3f const& base_colour, V3f const& normal) const;
+  /// takes from the diffuse one. `normal`: unit, turned to the side that is seen; `open`: share of the ambient light
+  /// that comes through.
+  V3f operator()(V3f const& base_colour, V3f const& normal, float open = 1) const;
   void operator()(Samples& samples) const;
 
  private:
   struct Light {
-    float diffuse, specular;  ///< share of the base colour; white
+    float ambient, diffuse, specular;  ///< shares of the base colour; white
   };
   Light light(float dot_nl, float dot_nv) const;
 

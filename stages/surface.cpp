@@ -76,14 +76,19 @@ using MipMaps = std::vector<std::unique_ptr<MipMap const>>;
 struct Surface::Impl {
   SourceModel const& model;
   std::vector<std::uint16_t> in_use;
-  MipMaps colour_maps, normal_maps;
+  MipMaps colour_maps, normal_maps, occlusion_maps;
 
   explicit Impl(SourceModel const& of)
-      : model(of), in_use(materials_in_use(of)), colour_maps(of.images.size()), normal_maps(of.images.size()) {
+      : model(of),
+        in_use(materials_in_use(of)),
+        colour_maps(of.images.size()),
+        normal_maps(of.images.size()),
+        occlusion_maps(of.images.size()) {
     if (model.uvs.empty()) return;
     for (std::uint16_t m : in_use) {
       add(model.materials[m].colour_map, ColourSpace::srgb, colour_maps);
       add(model.materials[m].normal_map, ColourSpace::linear, normal_maps);
+      add(model.materials[m].occlusion_map, ColourSpace::linear, occlusion_maps);
     }
   }
 
@@ -132,7 +137,7 @@ struct Surface::Impl {
 
   void add_maps(Facet& facet) const {
     TextureUse const &colour = facet.material->colour_map, &normal = facet.material->normal_map;
-    facet.mapped = colour.image >= 0 || normal.image >= 0;
+    facet.mapped = colour.image >= 0 || normal.image >= 0 || facet.material->occlusion_map.image >= 0;
     if (colour.image >= 0) facet.colour_uvs = corner_uvs(colour, facet.face);
     if (normal.image >= 0) facet.normal_uvs = corner_uvs(normal, facet.face);
     if (normal.image >= 0 && !model.tangents.empty()) facet.tangents = from_first(corners(model.tangents, facet.face));
@@ -172,6 +177,8 @@ struct Surface::Impl {
         for (std::size_t i = 0; i < at.count; ++i) samples.colour[k][i] *= read[k][i];
     }
     if (facet.mapped && material.normal_map.image >= 0) tilt(facet, at, texels, samples.normal);
+    samples.occlusion.fill(1);
+    if (facet.mapped && material.occlusion_map.image >= 0) occlude(facet, at, texels, samples.occlusion);
     for (std::size_t i = 0; i < at.count; ++i) samples.colour[3][i] = coverage(material, samples.colour[3][i]);
   }
 
@@ -187,6 +194,14 @@ struct Surface::Impl {
       for (std::size_t k = 0; k < 4; ++k) read[k][i] = texel[k];
     }
     return read;
+  }
+
+  template <class Texels>
+  void occlude(Facet const& facet, Places const& at, Texels const& texels, Lanes& occlusion) const {
+    Material const& material = *facet.material;
+    CornerUvs const uvs = corner_uvs(material.occlusion_map, facet.face);
+    LaneVector<4> const read = look_up(material.occlusion_map, occlusion_maps, uvs, at, texels);
+    for (std::size_t i = 0; i < at.count; ++i) occlusion[i] = 1 + material.occlusion_strength * (read[0][i] - 1);
   }
 
   /// By the normal map: in the frame that TANGENT gives where the file has it, else that of the surface's derivatives.
@@ -285,9 +300,12 @@ bool Surface::double_sided() const {
   return impl_->any_material([](Material const& m) { return m.double_sided; });
 }
 
-SurveyedModel survey(std::shared_ptr<SourceModel const> model) {
+SurveyedModel survey(std::shared_ptr<SourceModel const> model, int occlusion_rays) {
   SourceModel const& held = *model;
-  return {std::move(model), RayScene(held.mesh), Surface(held)};
+  SurveyedModel made{std::move(model), RayScene(held.mesh), Surface(held)};
+  if (occlusion_rays > 0 && !has_colour(held))
+    made.occlusion.emplace(held.mesh, made.scene, made.surface, occlusion_rays);
+  return made;
 }
 
 }  // namespace vitrine

@@ -5,9 +5,11 @@
 
 #include "stages/data.h"
 #include "stages/lanes.h"
+#include "stages/occlusion.h"
 #include "stages/ray_scene.h"
 
 #include <memory>
+#include <optional>
 
 namespace vitrine {
 
@@ -20,6 +22,7 @@ struct SurfaceSample {
 struct SurfaceLanes {
   LaneVector<4> colour;
   LaneVector<3> normal;
+  Lanes occlusion;  ///< by the source's own occlusion map
 };
 
 /// One face, and what all its samples share. Of three values each the first is that of the first corner, the others are
@@ -70,8 +73,10 @@ struct SurveyedModel {
   std::shared_ptr<SourceModel const> model;  ///< cleaned
   RayScene scene;
   Surface surface;
+  std::optional<OcclusionField> occlusion = std::nullopt;  ///< where the survey traced it
 };
 
-SurveyedModel survey(std::shared_ptr<SourceModel const> model);
+/// `occlusion_rays`: more than 0 to trace the ambient occlusion of a model without colour, see OcclusionField.
+SurveyedModel survey(std::shared_ptr<SourceModel const> model, int occlusion_rays = 0);
 
 }  // namespace vitrine

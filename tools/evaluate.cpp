@@ -33,16 +33,19 @@ struct Side {
   std::vector<std::string> notes;
 };
 
-Side survey_side(fs::path const& file, SourceModel model, std::size_t triangles, std::size_t vertices) {
+Side survey_side(fs::path const& file, SourceModel model, std::size_t triangles, std::size_t vertices,
+                 int occlusion_rays) {
   std::vector<std::string> notes = model.notes;
-  return {file, survey(std::make_shared<SourceModel const>(std::move(model))), triangles, vertices, std::move(notes)};
+  return {file, survey(std::make_shared<SourceModel const>(std::move(model)), occlusion_rays), triangles, vertices,
+          std::move(notes)};
 }
 
 Side load_original(EvaluateCommand const& command) {
   SourceModel source = read_file(command.original, command.read);
   if (command.up == io::UpAxis::z) io::turn_z_up(source);
   std::size_t const triangles = source.mesh.triangles.size(), vertices = source.mesh.positions.size();
-  return survey_side(command.original, clean(std::move(source)).model, triangles, vertices);
+  return survey_side(command.original, clean(std::move(source)).model, triangles, vertices,
+                     occlusion_rays(command.measure));
 }
 
 /// Nothing is repaired: what a client cannot draw is the thumbnail's fault.
@@ -58,10 +61,12 @@ void require_drawable(SourceModel const& model) {
 }
 
 Side load_thumbnail(EvaluateCommand const& command) {
-  SourceModel source = read_file(command.thumbnail, command.read);
+  io::ReadOptions options = command.read;
+  options.occlusion_maps = command.measure.occlusion == Occlusion::occlusion;
+  SourceModel source = read_file(command.thumbnail, options);
   require_drawable(source);
   std::size_t const triangles = source.mesh.triangles.size(), vertices = source.mesh.positions.size();
-  return survey_side(command.thumbnail, std::move(source), triangles, vertices);
+  return survey_side(command.thumbnail, std::move(source), triangles, vertices, 0);
 }
 
 // ---- For machines
@@ -95,7 +100,8 @@ Json measure_json(Reference const& reference, Comparison const& comparison) {
                   {"views", options.count},
                   {"size", options.size},
                   {"supersample", options.supersample},
-                  {"light", shown(options.light)}};
+                  {"light", shown(options.light)},
+                  {"ao", shown(options.occlusion)}};
   measure.update(to_json(comparison.mean));
   measure["psnrOfMeanMse"] = comparison.psnr_of_mean_mse;
   measure["worstMse1e4"] = comparison.views[comparison.worst].mse1e4;
@@ -128,8 +134,9 @@ void print_side(Side const& side, std::string const& more) {
 void print_figures(Reference const& reference, Comparison const& comparison) {
   MeasureOptions const& options = reference.options;
   Difference const &mean = comparison.mean, &worst = comparison.views[comparison.worst];
-  fmt::print("{} {} views of {} pixels, {} light\n\n", options.count, shown(options.views), options.size,
-             shown(options.light));
+  std::string const occlusion = options.occlusion == Occlusion::none ? "" : ", ao " + shown(options.occlusion);
+  fmt::print("{} {} views of {} pixels, {} light{}\n\n", options.count, shown(options.views), options.size,
+             shown(options.light), occlusion);
   fmt::print("{:26}{:>10}{:>14}\n", "", "mean", fmt::format("worst (#{})", comparison.worst));
   auto const row = [&](char const* name, double Difference::*figure, int digits) {
     fmt::print("{:26}{:>10.{}f}{:>14.{}f}\n", name, mean.*figure, digits, worst.*figure, digits);

@@ -81,7 +81,7 @@ graph::SeriesFiles of_model(SeriesCommand const& command) {
   return of_file(command.original, [&] {
     SourceModel source = read_file(command.original, command.read);
     if (command.up == io::UpAxis::z) io::turn_z_up(source);
-    SurveyedModel const original = survey(std::make_shared<SourceModel const>(clean(std::move(source)).model));
+    SurveyedModel const original = survey(std::make_shared<SourceModel const>(clean(std::move(source)).model), occlusion_rays(command.measure));
     Reference const made = reference(original, command.measure);
     graph::SeriesFiles files = graph::series_files(original, made, command.series);
     files.manifest["input"] = command.original.filename().string();

@@ -2,7 +2,6 @@
 #include "stages/bake.h"
 
 #include "stages/colour.h"
-#include "stages/occlusion.h"
 #include "stages/quantize.h"
 #include "tests/support/atlases.h"
 #include "tests/support/meshes.h"
@@ -244,9 +243,10 @@ TEST(Bake, NormalsAreWhatTheirCodeDecodesTo) {
 }
 
 TEST(Bake, OcclusionGoesToItsOwnMapOrToTheColour) {
-  SurveyedModel const original = surveyed(test::plain_model(square()));
+  SurveyedModel const original = survey(std::make_shared<SourceModel const>(test::plain_model(square())), 64);
   QuantizedAtlas const target = quantized(test::facing_atlas(square(), 16));
   BakeOptions options = only_colour();
+  EXPECT_FALSE(bake(target, original, options).occlusion);
   options.occlusion = Occlusion::occlusion;
   BakedModel model = bake(target, original, options);
   EXPECT_THAT(model.occlusion->texels, Each(255));
@@ -260,20 +260,8 @@ TEST(Bake, OcclusionGoesToItsOwnMapOrToTheColour) {
 TEST(Bake, ModelsWithColourGetNoOcclusion) {
   BakeOptions options;
   options.occlusion = Occlusion::occlusion;
-  EXPECT_FALSE(
-      bake(quantized(test::facing_atlas(square(), 16)), surveyed(test::painted_model(square())), options).occlusion);
-}
-
-TEST(Occlusion, BesideATallWallHalfTheSkyIsSeen) {
-  TriMesh wall{{{0, -1e4f, 0}, {0, 1e4f, 0}, {0, 0, 2e4f}}, {{0, 1, 2}}};
-  RayScene const scene(wall);
-  EXPECT_NEAR(visibility(scene, {0.01f, 0, 0}, {0, 0, 1}, 0.001f, 1024, 3), 0.5f, 0.01f);
-  EXPECT_EQ(visibility(scene, {0.01f, 0, 0}, {1, 0, 0}, 0.001f, 64, 3), 1);
-}
-
-TEST(Occlusion, InsideAClosedBoxItIsDark) {
-  TriMesh const box = test::cube();
-  EXPECT_EQ(visibility(RayScene(box), {0.1f, 0, 0}, {0, 1, 0}, 0, 64, 0), 0);
+  SurveyedModel const original = survey(std::make_shared<SourceModel const>(test::painted_model(square())), 64);
+  EXPECT_FALSE(bake(quantized(test::facing_atlas(square(), 16)), original, options).occlusion);
 }
 
 }  // namespace

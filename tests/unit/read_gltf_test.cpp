@@ -113,7 +113,7 @@ std::optional<Blob> nothing(std::string_view) { return std::nullopt; }
 SourceModel read(std::string const& file, ReadOptions const& options = {}) {
   return read_gltf(blob(file), nothing, options);
 }
-SourceModel read(Builder b) { return read(b.text()); }
+SourceModel read(Builder b, ReadOptions const& options = {}) { return read(b.text(), options); }
 
 Error failure(std::string const& file, ReadOptions const& options = {}) {
   try {
@@ -530,6 +530,20 @@ TEST(ReadGltf, ANormalMapOnOtherCoordinatesIsLeftOutWithANote) {
   b.json["materials"][0]["normalTexture"]["texCoord"] = 1;
   EXPECT_EQ(read(b).materials[0].normal_map.image, -1);
   EXPECT_THAT(read(b).notes, Contains(HasSubstr("normal map")));
+}
+
+TEST(ReadGltf, OcclusionMapsAreReadWhereAsked) {
+  Builder b = mapped_square();
+  b.json["materials"][0]["occlusionTexture"] = {{"index", 0}, {"strength", 0.5}};
+  EXPECT_EQ(read(b).materials[0].occlusion_map.image, -1);
+  ReadOptions options;
+  options.occlusion_maps = true;
+  SourceModel const model = read(b, options);
+  EXPECT_EQ(model.images[static_cast<std::size_t>(model.materials[0].occlusion_map.image)].space, ColourSpace::linear);
+  EXPECT_EQ(model.materials[0].occlusion_strength, 0.5f);
+  b.json["materials"][0]["occlusionTexture"]["texCoord"] = 1;
+  EXPECT_EQ(read(b, options).materials[0].occlusion_map.image, -1);
+  EXPECT_THAT(read(b, options).notes, Contains(HasSubstr("occlusion map")));
 }
 
 TEST(ReadGltf, MaterialsKeepAlphaSidesAndLight) {
