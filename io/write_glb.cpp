@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -24,9 +25,23 @@ WrittenGeometry write_geometry(GltfDocument& document, VertexMesh const& mesh, G
   }
 }
 
+std::optional<ImageCodec> asked_for(MapCodec codec) {
+  switch (codec) {
+    case MapCodec::webp:
+      return ImageCodec::webp;
+    case MapCodec::avif:
+      return ImageCodec::avif;
+    case MapCodec::jpeg:
+      return ImageCodec::jpeg;
+    case MapCodec::png:
+      return ImageCodec::png;
+    default:
+      return std::nullopt;
+  }
+}
+
 /// Embeds a map; returns its glTF reference and adds its bytes to `bytes`.
-Json write_map(GltfDocument& document, Image const& image, ImageQuality const& quality, std::size_t& bytes) {
-  EncodedImage const coded = encode_map(image, quality);
+Json write_map(GltfDocument& document, EncodedImage const& coded, std::size_t& bytes) {
   bytes += coded.bytes.size();
   std::size_t const source =
       add(document.json, "images", {{"bufferView", document.add_view(coded.bytes)}, {"mimeType", coded.mime}});
@@ -48,20 +63,16 @@ Json colour_factor(Rgba const& colour) {
 
 Json write_material(GltfDocument& document, BakedModel const& model, EncodeOptions const& options,
                     EncodedThumbnail& sizes) {
-  bool const plain = options.profile == Profile::plain;
-  ImageCodec const lossy = plain ? ImageCodec::jpeg : ImageCodec::webp;
   Json pbr = {{"metallicFactor", 0}};
   if (Json factor = colour_factor(model.base_colour); factor != Json::array({1, 1, 1, 1}))
     pbr["baseColorFactor"] = std::move(factor);
   if (model.colour)
-    pbr["baseColorTexture"] = write_map(document, *model.colour, {lossy, options.colour_quality}, sizes.colour);
+    pbr["baseColorTexture"] = write_map(document, encode_colour(*model.colour, options), sizes.colour);
   Json material = {{"pbrMetallicRoughness", std::move(pbr)}};
   if (model.normal)
-    material["normalTexture"] = write_map(
-        document, *model.normal, {plain ? ImageCodec::png : ImageCodec::webp, options.normal_quality}, sizes.normal);
+    material["normalTexture"] = write_map(document, encode_normal(*model.normal, options), sizes.normal);
   if (model.occlusion)
-    material["occlusionTexture"] =
-        write_map(document, *model.occlusion, {lossy, options.colour_quality}, sizes.occlusion);
+    material["occlusionTexture"] = write_map(document, encode_colour(*model.occlusion, options), sizes.occlusion);
   if (model.alpha == AlphaMode::blend) material["alphaMode"] = "BLEND";
   if (model.alpha == AlphaMode::mask) {
     material["alphaMode"] = "MASK";
@@ -89,6 +100,20 @@ void write_scene(GltfDocument& document, WrittenGeometry const& geometry, V3d co
 }
 
 }  // namespace
+
+EncodedImage encode_colour(Image const& map, EncodeOptions const& options) {
+  ImageCodec const usual = options.profile == Profile::plain ? ImageCodec::jpeg : ImageCodec::webp;
+  if (std::optional<ImageCodec> const codec = asked_for(options.colour_codec))
+    return encode_image(map, {*codec, options.colour_quality});
+  return encode_map(map, {usual, options.colour_quality});
+}
+
+EncodedImage encode_normal(Image const& map, EncodeOptions const& options) {
+  ImageCodec const usual = options.profile == Profile::plain ? ImageCodec::png : ImageCodec::webp;
+  if (std::optional<ImageCodec> const codec = asked_for(options.normal_codec))
+    return encode_image(map, {*codec, options.normal_quality, true});
+  return encode_map(map, {usual, options.normal_quality});
+}
 
 EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options) {
   if (model.mesh.triangles.empty())

@@ -20,20 +20,42 @@ struct EnumNames<Profile> {
   static constexpr std::array<std::string_view, 3> names{"web", "plain", "meshopt"};
 };
 
+/// How a map is stored. A map with alpha is never JPEG: PNG takes its place.
+enum class MapCodec {
+  automatic,  ///< as the profile says
+  webp,
+  avif,
+  jpeg,
+  png
+};
+template <>
+struct EnumNames<MapCodec> {
+  static constexpr std::array<std::string_view, 5> names{"auto", "webp", "avif", "jpeg", "png"};
+};
+
 namespace io {
 
 struct EncodeOptions {
   Profile profile = Profile::web;
+  MapCodec colour_codec = MapCodec::automatic;  ///< also of occlusion
+  MapCodec normal_codec = MapCodec::automatic;
   int colour_quality = 80;
   int normal_quality = 60;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.profile, Field{"profile", "", "what a client must be able to decode"});
+    visit(self.colour_codec, Field{"colour-codec", "", "of the colour and occlusion maps; auto: as the profile says"});
+    visit(self.normal_codec, Field{"normal-codec", "", "of the normal map; auto: as the profile says"});
     visit(self.colour_quality, Field{"colour-quality", "of 100", "of the coded colour map", 1, 100});
-    visit(self.normal_quality, Field{"normal-quality", "of 100", "of the coded normal map; plain stores it without loss", 1, 100});
+    visit(self.normal_quality, Field{"normal-quality", "of 100", "of the coded normal map; PNG, and so plain, stores it without loss", 1, 100});
   }
 };
+
+/// The maps as every file of a thumbnail holds them: as the profile says, or as JPEG where that comes nearer in no more
+/// bytes (map_codec.h); a codec that is asked for is used as it is, for normals with full chroma where it can.
+EncodedImage encode_colour(Image const& map, EncodeOptions const& options);
+EncodedImage encode_normal(Image const& map, EncodeOptions const& options);
 
 /// Out:    a GLB with one mesh of one primitive, non-metallic and rough, maps embedded; extensionsRequired says what it needs;
 ///         `title` becomes the node's name when not empty.

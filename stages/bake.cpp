@@ -105,6 +105,8 @@ class Baker {
   }
 
   Match match(V3f const& position, V3f const& normal) const {
+    if (options_.transfer == Transfer::nearest)
+      return {original_.scene.closest_point(position, kInfinity, {0, 0, 0}).value_or(Hit{})};
     float const reach = float(options_.reach) * diagonal_;
     auto const outer = original_.scene.first_hit({position, normal, 0, reach, normal});
     auto const inner = original_.scene.first_hit({position, -normal, 0, outer ? outer->distance : reach, normal});

@@ -10,8 +10,18 @@
 
 namespace vitrine {
 
+enum class Transfer {
+  normal,  ///< along the normal, outwards and inwards: normal shooting
+  nearest  ///< from the closest point, whichever way it faces: what the paper compares that with
+};
+template <>
+struct EnumNames<Transfer> {
+  static constexpr std::array<std::string_view, 2> names{"normal", "nearest"};
+};
+
 struct BakeOptions {
   int samples = 9;      ///< per texel; a square number
+  Transfer transfer = Transfer::normal;
   double reach = 0.05;  ///< how far normals shoot, as a share of the bounding box's diagonal
   bool normal_map = true;
   bool vertex_normals = true;
@@ -21,6 +31,7 @@ struct BakeOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.samples, Field{"samples", "per texel", "rounded up to a square number", 1, 256});
+    visit(self.transfer, Field{"transfer", "", "where a sample's colour and normal come from: along its normal, or the nearest point"});
     visit(self.reach, Field{"reach", "box diagonals", "how far rays look for the original", 1e-4, 1});
     visit(self.normal_map, Field{"normal-map", "", "bake the original's normals"});
     visit(self.vertex_normals,
@@ -32,7 +43,7 @@ struct BakeOptions {
   }
 };
 
-/// Shoots each sample along the interpolated normal, outwards and inwards, and takes the nearer hit on a face whose
+/// Shoots each sample (unless options.transfer says otherwise) along the interpolated normal, outwards and inwards, and takes the nearer hit on a face whose
 /// normal agrees (dot > 0), so that the far side of a sheet never counts; where there is none, the closest point of
 /// agreeing orientation within reach, then any closest point. Colours are averaged in linear light, weighted by their
 /// coverage.

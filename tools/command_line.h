@@ -23,6 +23,15 @@ std::string choices() {
   return text;
 }
 
+/// An enum's values by name, for CLI11.
+template <class T>
+std::map<std::string, T> names() {
+  std::map<std::string, T> found;
+  for (std::size_t i = 0; i < EnumNames<T>::names.size(); ++i)
+    found[std::string(EnumNames<T>::names[i])] = static_cast<T>(i);
+  return found;
+}
+
 /// Adds a flag per field to a CLI11 command; defaults are those of the struct.
 class AddFlags {
  public:
@@ -35,11 +44,8 @@ class AddFlags {
     if constexpr (std::is_same_v<T, bool>) {
       option = app_.add_flag(flag + ",!--no-" + std::string(field.flag), value, std::string(field.help));
     } else if constexpr (std::is_enum_v<T>) {
-      std::map<std::string, T> names;
-      for (std::size_t i = 0; i < EnumNames<T>::names.size(); ++i)
-        names[std::string(EnumNames<T>::names[i])] = static_cast<T>(i);
       option = app_.add_option(flag, value, std::string(field.help))
-                   ->transform(CLI::CheckedTransformer(names).description(""))
+                   ->transform(CLI::CheckedTransformer(names<T>()).description(""))
                    ->type_name(choices<T>())
                    ->default_str(shown(value));
     } else {

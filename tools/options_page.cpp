@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/options_page.h"
 
-#include "graph/pipeline.h"
+#include "graph/preset.h"
 #include "tools/command_line.h"
 
 #include <fmt/format.h>
+
+#include <utility>
+#include <vector>
 
 namespace vitrine::tools {
 namespace {
@@ -22,6 +25,32 @@ std::string allowed(Field const& field) {
   }
 }
 
+using Values = std::vector<std::pair<std::string, std::string>>;  // by flag
+
+Values values(graph::ModelOptions const& options) {
+  Values all;
+  graph::option_groups(options, [&](std::string_view, auto const& group) {
+    group.fields(group, [&](auto const& value, Field const& field) { all.emplace_back(field.flag, shown(value)); });
+  });
+  return all;
+}
+
+/// As one would type it.
+std::string flag(std::string const& name, std::string const& value) {
+  if (value == "true") return "--" + name;
+  return value == "false" ? "--no-" + name : "--" + name + " " + value;
+}
+
+/// What a preset changes.
+std::string preset_row(graph::Preset preset) {
+  graph::ModelOptions const defaults;
+  Values const before = values(defaults), after = values(graph::with(preset, defaults));
+  std::string row = fmt::format("| {} |", shown(preset));
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (after[i] != before[i]) row += fmt::format(" `{}`", flag(after[i].first, after[i].second));
+  return row + " |\n";
+}
+
 }  // namespace
 
 std::string options_page() {
@@ -36,6 +65,10 @@ std::string options_page() {
       page += fmt::format("| `--{}` | {} | {} | {} |\n", field.flag, shown(value), allowed<T>(field), field.help);
     });
   });
+  page += "\n## Presets\n\n`--preset` sets several options at once; flags that are given beside it win.\n\n"
+          "| preset | the same as |\n|---|---|\n";
+  for (std::size_t i = 0; i < EnumNames<graph::Preset>::names.size(); ++i)
+    page += preset_row(static_cast<graph::Preset>(i));
   return page;
 }
 

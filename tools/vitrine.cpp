@@ -5,6 +5,7 @@
 #include "tools/command_line.h"
 #include "tools/convert.h"
 #include "tools/evaluate.h"
+#include "tools/model_flags.h"
 #include "tools/report/report.h"
 #include "tools/serve.h"
 #include "tools/series.h"
@@ -56,9 +57,7 @@ Verb convert_verb(CLI::App& app) {
   app.add_option("--exclude", command->reading.exclude, "pass over paths that match; may be repeated")
       ->type_name("GLOB");
   add_machine(app, command->run);
-  graph::option_groups(command->model, [&](std::string const& group, auto& options) {
-    options.fields(options, tools::AddFlags(app, group));
-  });
+  tools::add_model_flags(app, command->model);
   return [command] { return tools::convert(*command); };
 }
 

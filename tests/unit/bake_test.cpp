@@ -257,6 +257,27 @@ TEST(Bake, OcclusionGoesToItsOwnMapOrToTheColour) {
   EXPECT_FALSE(model.occlusion);
 }
 
+/// A floor with a pit that is deeper than it is wide, red at the bottom; walls are not needed.
+SourceModel pit() {
+  TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {.4f, .4f, 0}, {.6f, .4f, 0}, {.6f, .6f, 0}, {.4f, .6f, 0}},
+               {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}}};
+  for (V3f const& p : {V3f(.4f, .4f, -.3f), V3f(.6f, .4f, -.3f), V3f(.6f, .6f, -.3f), V3f(.4f, .6f, -.3f)})
+    mesh.positions.push_back(p);
+  mesh.triangles.insert(mesh.triangles.end(), {{8, 9, 10}, {8, 10, 11}});
+  return coloured(mesh, [](V3f p) { return p.z < 0 ? Rgba{1, 0, 0, 1} : Rgba{0, 0, 1, 1}; });
+}
+
+TEST(Bake, ShootingAlongNormalsSeesTheBottomOfAPitTheNearestPointItsRim) {
+  BakeOptions options = only_colour();
+  options.reach = 0.5;
+  QuantizedAtlas const lid = quantized(test::facing_atlas(square(), 32));
+  EXPECT_THAT(texel(*bake(lid, surveyed(pit()), options).colour, 16, 16), ElementsAre(255, 0, 0));
+  options.transfer = Transfer::nearest;
+  BakedModel const nearest = bake(lid, surveyed(pit()), options);
+  EXPECT_THAT(texel(*nearest.colour, 16, 16), ElementsAre(0, 0, 255));
+  EXPECT_EQ(nearest.statistics.misses, 0u);
+}
+
 TEST(Bake, ModelsWithColourGetNoOcclusion) {
   BakeOptions options;
   options.occlusion = Occlusion::occlusion;

@@ -174,6 +174,17 @@ void snap_to(Grid const& grid, VertexMesh& mesh) {
     }
 }
 
+TEST(WriteGlb, EachMapInTheCodecAskedFor) {
+  EncodeOptions options;
+  options.colour_codec = MapCodec::jpeg;
+  options.normal_codec = MapCodec::png;
+  EncodedThumbnail const t = encode(with_all_maps(), "", options);
+  Json const json = parse(t.glb).json;
+  EXPECT_EQ(json["images"][0]["mimeType"], "image/jpeg");
+  EXPECT_EQ(json["images"][1]["mimeType"], "image/png");
+  EXPECT_EQ(json["images"][2]["mimeType"], "image/jpeg");
+}
+
 TEST(WriteGlb, PartsAddUpInAllProfiles) {
   for (Profile profile : kProfiles)
     for (BakedModel const& model : {bare_cube(), with_all_maps()}) {
