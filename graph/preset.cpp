@@ -6,7 +6,8 @@
 namespace vitrine::graph {
 namespace {
 
-/// Triangles: what is taken wherever nothing is searched for, so that a comparison is one of methods.
+/// Triangles: what is taken wherever nothing is searched for, so that a comparison is one of methods. `plain` holds the
+/// same 16-bit values as X3DOM's binary geometry.
 ModelOptions paper(ModelOptions options) {
   options.simplify.triangles = 3000;
   options.simplify.decimator = Decimator::openmesh;
@@ -22,6 +23,7 @@ ModelOptions paper(ModelOptions options) {
   options.encode.colour_codec = MapCodec::jpeg;
   options.encode.colour_quality = 90;
   options.encode.normal_codec = MapCodec::png;
+  options.encode.x3dom = true;
   return options;
 }
 

@@ -85,6 +85,8 @@ json row_json(ModelRow const& row) {
     out["poster"] = row.poster;
     if (!row.series_folder.empty()) out["seriesFolder"] = row.series_folder;
     if (!row.certificate.empty()) out["certificate"] = row.certificate;
+    if (!row.x3d.empty()) out["x3d"] = row.x3d;
+    if (!row.x3d.empty()) out["x3dZip"] = row.x3d_zip;
     out.update(outcome_json(row));
   }
   out["source"] = {{"bytes", row.input_bytes},
@@ -147,6 +149,7 @@ json outcome_json(ModelRow const& row) {
       {"bake",
        {{"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}}}};
   if (row.recipe) out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe)}};
+  if (row.x3d_bytes > 0) out["x3dBytes"] = row.x3d_bytes;
   if (!row.measurement) return out;
   out["measure"] = measure_json(*row.measurement);
   out["series"] = to_json(row.series);
@@ -170,7 +173,7 @@ json report_json(std::vector<ModelRow> const& rows, std::string const& archive, 
 
 std::string report_csv(std::vector<ModelRow> const& rows) {
   std::string out =
-      "input,title,status,stage,reason,remedy,thumb,bytes,geometry,colour,normal,occlusion,other,triangles,vertices,"
+      "input,title,status,stage,reason,remedy,thumb,bytes,geometry,colour,normal,occlusion,other,x3d,triangles,vertices,"
       "charts,"
       "mse1e4,ssim,atlas_fill,source_triangles,source_bytes,seconds,notes\r\n";
   for (ModelRow const& row : rows) {
@@ -189,6 +192,7 @@ std::string report_csv(std::vector<ModelRow> const& rows) {
                                             std::to_string(row.bytes.normal),
                                             std::to_string(row.bytes.occlusion),
                                             std::to_string(row.bytes.other),
+                                            std::to_string(row.x3d_bytes),
                                             std::to_string(row.triangles),
                                             std::to_string(row.vertices),
                                             std::to_string(row.charts),

@@ -44,6 +44,7 @@ struct Made {
   struct Bytes {
     std::size_t total = 0, geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
   } bytes;
+  std::size_t x3d_bytes = 0;    ///< of the zip, where the options ask for X3DOM
   std::optional<Recipe> recipe;  ///< what the search chose; none where nothing was searched
 };
 
@@ -53,7 +54,7 @@ struct ModelRow : Made {
   std::map<std::string, std::string> metadata;
   std::string status = "failed";  ///< "done" or "failed"
   Failure failure;                ///< of a failed one
-  std::string thumb, poster, series_folder, certificate;  ///< paths in the gallery, of a finished one; "": not written
+  std::string thumb, poster, series_folder, x3d, x3d_zip, certificate;  ///< paths in the gallery, of a finished one; "": not written
 
   std::string input_hash;
   io::Dependencies dependencies;

@@ -94,6 +94,15 @@ std::vector<RivalSeries> rivals(std::vector<SeriesSizes> const& series) {
   return out;
 }
 
+/// The X3DOM page and its zip, where there are any.
+void publish_x3d(EncodedThumbnail const& thumbnail, fs::path const& gallery, fs::path const& folder, ModelRow& row) {
+  if (thumbnail.x3d.empty()) return;
+  for (NamedFile const& file : thumbnail.x3d) io::publish_file(gallery / folder / "x3d" / file.name, file.bytes);
+  row.x3d = folder / "x3d/index.html";
+  row.x3d_zip = folder / "thumb.x3d.zip";
+  io::publish_file(gallery / row.x3d_zip, thumbnail.x3d_zip);
+}
+
 std::vector<std::byte> poster_jpeg(Image const& picture) {
   return io::encode_image(opaque(picture), {io::ImageCodec::jpeg, kPosterQuality}).bytes;
 }
@@ -202,7 +211,9 @@ Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job) {
 
 BakedModel bake_maps(Atlas const& atlas, Job& job) {
   ModelOptions const& options = job.study->options();
-  BakedModel baked = bake(quantize(atlas, options.quantize), job.original->model, options.bake);
+  BakeOptions wanted = options.bake;
+  wanted.derived_normals = options.encode.x3dom;
+  BakedModel baked = bake(quantize(atlas, options.quantize), job.original->model, wanted);
   job.row.bake = baked.statistics;
   return baked;
 }
@@ -214,6 +225,7 @@ EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
   row.vertices = thumbnail.vertices;
   row.bytes = {thumbnail.glb.size(), thumbnail.geometry,  thumbnail.colour,
                thumbnail.normal,     thumbnail.occlusion, thumbnail.other};
+  row.x3d_bytes = thumbnail.x3d_zip.size();
   return thumbnail;
 }
 
@@ -255,6 +267,7 @@ void publish_model(Finished const& finished, ModelOptions const& options, fs::pa
   row.poster = folder / "poster.jpg";
   io::publish_file(gallery / row.thumb, finished.thumbnail.glb);
   io::publish_file(gallery / row.poster, poster_jpeg(finished.poster));
+  publish_x3d(finished.thumbnail, gallery, folder, row);
   if (finished.series) {
     row.series_folder = folder / "series";
     publish_series(gallery / row.series_folder, *finished.series);

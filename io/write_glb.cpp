@@ -3,6 +3,8 @@
 
 #include "io/gltf_geometry.h"
 #include "io/map_codec.h"
+#include "io/write_x3d.h"
+#include "io/zip.h"
 #include "stages/error.h"
 
 #include <algorithm>
@@ -132,6 +134,10 @@ EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeO
       thumbnail.glb.size() - thumbnail.geometry - thumbnail.colour - thumbnail.normal - thumbnail.occlusion;
   thumbnail.triangles = geometry.triangles;
   thumbnail.vertices = geometry.vertices;
+  if (options.x3dom) {
+    thumbnail.x3d = write_x3d(model, title, options);
+    thumbnail.x3d_zip = zip(thumbnail.x3d);
+  }
   return thumbnail;
 }
 

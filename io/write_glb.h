@@ -41,6 +41,7 @@ struct EncodeOptions {
   MapCodec normal_codec = MapCodec::automatic;
   int colour_quality = 80;
   int normal_quality = 60;
+  bool x3dom = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -49,6 +50,7 @@ struct EncodeOptions {
     visit(self.normal_codec, Field{"normal-codec", "", "of the normal map; auto: as the profile says"});
     visit(self.colour_quality, Field{"colour-quality", "of 100", "of the coded colour map", 1, 100});
     visit(self.normal_quality, Field{"normal-quality", "of 100", "of the coded normal map; PNG, and so plain, stores it without loss", 1, 100});
+    visit(self.x3dom, Field{"x3dom", "", "write each thumbnail for X3DOM too: a page, its buffers and maps, and a zip of them"});
   }
 };
 

@@ -39,7 +39,7 @@ std::vector<V3f> decoded_normals(TriMesh const& mesh, int bits) {
 
 /// What is baked, by texel, as the image will store it: sRGB and tangent space, in [0,1].
 struct Layers {
-  Layer colour, normal, occlusion;  // without channels if not wanted
+  Layer colour, normal, derived_normal, occlusion;  // without channels if not wanted
   std::vector<std::uint8_t> known;  // by texel
 };
 
@@ -151,7 +151,14 @@ class Baker {
     }
     float const count = float(end - begin);
     if (layers.colour.channels > 0) store_colour(sum, plain, count, layers.colour.at(texel));
-    if (layers.normal.channels > 0) store_normal(tile.centres[t], normal, layers.normal.at(texel));
+    if (layers.normal.channels > 0) {
+      V3f const drawn = smooth_normal(tile.centres[t]), shown = normal.length2() > 0 ? normal.normalized() : drawn;
+      std::uint32_t const face = tile.centres[t].face;
+      store_normal(stored_frame(drawn, tangents_[atlas_.face_charts[face]]), shown, layers.normal.at(texel));
+      if (layers.derived_normal.channels > 0)
+        store_normal(client_frame(corners(mesh_.positions, mesh_.triangles[face]), atlas_.corner_uvs[face], drawn), shown,
+                     layers.derived_normal.at(texel));
+    }
     if (layers.occlusion.channels > 0) *layers.occlusion.at(texel) = seen / count;
     return misses;
   }
@@ -161,10 +168,8 @@ class Baker {
     texel[3] = sum[3] / count;
   }
 
-  void store_normal(SurfacePoint const& centre, V3f const& sum, float* texel) const {
-    V3f const drawn = smooth_normal(centre);
-    TangentFrame const frame = stored_frame(drawn, tangents_[atlas_.face_charts[centre.face]]);
-    V3f const m = to_tangent_space(frame, sum.length2() > 0 ? sum.normalized() : drawn);
+  static void store_normal(TangentFrame const& frame, V3f const& shown, float* texel) {
+    V3f const m = to_tangent_space(frame, shown);
     for (int k = 0; k < 3; ++k) texel[k] = m[k] * 0.5f + 0.5f;
   }
 
@@ -212,7 +217,8 @@ Layers wanted_layers(Atlas const& atlas, SurveyedModel const& original, BakeOpti
   auto const layer = [&](bool wanted, int channels) {
     return wanted ? Layer(atlas.width, atlas.height, channels) : Layer();
   };
-  return {layer(original.surface.coloured(), 4), layer(options.normal_map && !original.surface.unlit(), 3),
+  bool const normals = options.normal_map && !original.surface.unlit();
+  return {layer(original.surface.coloured(), 4), layer(normals, 3), layer(normals && options.derived_normals, 3),
           layer(options.occlusion != Occlusion::none && original.occlusion.has_value(), 1),
           std::vector<std::uint8_t>(std::size_t(atlas.width) * atlas.height)};
 }
@@ -225,6 +231,7 @@ void store_images(Layers const& layers, BakeOptions const& options, AlphaMode al
     if (model.alpha == AlphaMode::opaque) drop_alpha(*model.colour);
   }
   if (layers.normal.channels > 0) model.normal = to_image(layers.normal, 3, ColourSpace::linear);
+  if (layers.derived_normal.channels > 0) model.derived_normal = to_image(layers.derived_normal, 3, ColourSpace::linear);
   if (layers.occlusion.channels > 0 && options.occlusion == Occlusion::occlusion)
     model.occlusion = to_image(layers.occlusion, 1, ColourSpace::linear);
   if (layers.occlusion.channels > 0 && options.occlusion == Occlusion::colour)
@@ -246,7 +253,7 @@ BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, Bak
   if (layers.colour.channels + layers.normal.channels + layers.occlusion.channels == 0) return model;
   model.corner_uvs = target.atlas.corner_uvs;
   model.statistics = baker.bake(layers);
-  for (Layer* layer : {&layers.colour, &layers.normal, &layers.occlusion})
+  for (Layer* layer : {&layers.colour, &layers.normal, &layers.derived_normal, &layers.occlusion})
     if (layer->channels > 0) fill_unknown(*layer, layers.known);
   store_images(layers, options, original.surface.alpha(), model);
   return model;

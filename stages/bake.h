@@ -27,6 +27,7 @@ struct BakeOptions {
   bool vertex_normals = true;
   Occlusion occlusion = Occlusion::none;
   int occlusion_rays = kOcclusionRays;
+  bool derived_normals = false;  ///< also a normal map for clients that build the frame without TANGENT; no flag: X3DOM needs it
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

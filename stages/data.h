@@ -165,6 +165,7 @@ struct BakedModel {
   Rgba base_colour{1, 1, 1, 1};       ///< multiplies colour map and vertex colours; alone for models of one colour
   std::optional<Image> colour;        ///< sRGB, 3 or 4 channels
   std::optional<Image> normal;        ///< tangent space of chart_tangents, 3 channels, linear
+  std::optional<Image> derived_normal;  ///< the same normals for clients that build the frame without TANGENT
   std::optional<Image> occlusion;     ///< 1 channel, linear
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
@@ -173,9 +174,16 @@ struct BakedModel {
   BakeStatistics statistics;
 };
 
+struct NamedFile {
+  std::string name;
+  std::vector<std::byte> bytes;
+};
+
 /// A finished file and what its bytes are spent on. The parts add up to glb.size().
 struct EncodedThumbnail {
   std::vector<std::byte> glb;
+  std::vector<NamedFile> x3d;      ///< the same for X3DOM, a page and what it needs; where that was asked for
+  std::vector<std::byte> x3d_zip;  ///< all of it in one file
   std::size_t geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
   std::uint32_t triangles = 0, vertices = 0;  ///< as drawn: vertices split at seams
 };

@@ -37,8 +37,8 @@ fs::path page_folder() {
   return {};
 }
 
-/// The page is index.html at the gallery's root and everything else in viewer/.
-void publish_page(fs::path const& gallery) {
+/// The page is index.html at the gallery's root and everything else in viewer/; X3DOM only where there are pages for it.
+void publish_page(fs::path const& gallery, bool x3dom) {
   fs::path const page = page_folder();
   if (page.empty()) {
     fmt::print(stderr, "note: this build has no gallery page (build the target viewer); index.html is not written\n");
@@ -47,6 +47,7 @@ void publish_page(fs::path const& gallery) {
   for (fs::directory_entry const& entry : fs::recursive_directory_iterator(page)) {
     if (!entry.is_regular_file()) continue;
     fs::path const name = fs::relative(entry.path(), page);
+    if (!x3dom && *name.begin() == "x3dom") continue;
     io::publish_file(name == "index.html" ? gallery / name : gallery / "viewer" / name,
                      io::map_file(entry.path()).bytes);
   }
@@ -100,7 +101,7 @@ int convert(ConvertCommand const& command) {
   }
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   publish_reports(command, rows, seconds);
-  publish_page(command.run.gallery);
+  publish_page(command.run.gallery, command.model.encode.x3dom);
   print_summary(rows, command.run.gallery, seconds);
   bool const all = std::all_of(rows.begin(), rows.end(), [](auto const& row) { return row.status == "done"; });
   return all ? kComplete : kSomeFailed;

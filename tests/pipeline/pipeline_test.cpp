@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Promises of the whole graph over small archives that each test writes.
 #include "graph/pipeline.h"
+#include "graph/preset.h"
 #include "tests/support/folders.h"
 #include "tests/support/meshes.h"
 
@@ -166,6 +167,22 @@ TEST_F(Pipeline, WritesTheRivalWhenAsked) {
   auto const manifest = nlohmann::json::parse(file(row.series_folder + "/series.json"));
   EXPECT_EQ(manifest["frames"], 32);
   EXPECT_EQ(file(row.series_folder + "/" + manifest["files"][0]["file"].get<std::string>()).substr(0, 2), "\xFF\xD8");
+}
+
+TEST_F(Pipeline, WithThePapersPresetX3domAndOcclusionArePartOfIt) {
+  add("a.obj", test::plain_model(test::bumpy_sphere(48, 24)));
+  ModelOptions options = with(Preset::paper, small_thumbnails());
+  options.publish.certificate = true;
+  ModelRow const row = run(archive(), "gallery", 2, 0, options)[0];
+  ASSERT_EQ(row.status, "done") << describe(row);
+  EXPECT_GT(row.bytes.colour, 0u);
+  EXPECT_THAT(file(row.x3d), HasSubstr("binaryGeometry"));
+  EXPECT_EQ(file(row.x3d_zip).size(), row.x3d_bytes);
+  auto const certificate = nlohmann::json::parse(file(row.certificate));
+  EXPECT_EQ(certificate["x3dBytes"], row.x3d_bytes);
+  EXPECT_EQ(certificate["measure"]["ao"], "colour");
+  EXPECT_LT(certificate["measure"]["mse1e4"], 50.0) << "both sides with the same occlusion";
+  EXPECT_EQ(file(row.x3d_zip), file(run(archive(), "again", 1, 0, options)[0].x3d_zip, "again"));
 }
 
 TEST_F(Pipeline, NamesTheFilesThatAModelIsMadeOf) {

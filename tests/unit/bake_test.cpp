@@ -3,6 +3,7 @@
 
 #include "stages/colour.h"
 #include "stages/quantize.h"
+#include "stages/tangent_frame.h"
 #include "tests/support/atlases.h"
 #include "tests/support/meshes.h"
 
@@ -276,6 +277,24 @@ TEST(Bake, ShootingAlongNormalsSeesTheBottomOfAPitTheNearestPointItsRim) {
   BakedModel const nearest = bake(lid, surveyed(pit()), options);
   EXPECT_THAT(texel(*nearest.colour, 16, 16), ElementsAre(0, 0, 255));
   EXPECT_EQ(nearest.statistics.misses, 0u);
+}
+
+TEST(Bake, DerivedNormalsShowTheSameInTheFrameOfClientsWithoutTangent) {
+  BakeOptions options;
+  EXPECT_FALSE(bake(quantized(test::facing_atlas(square(), 16)), surveyed(test::plain_model(square())), options).derived_normal);
+  options.derived_normals = true;
+  SourceModel tilted = test::plain_model(square());
+  V3f const wanted = V3f(0.3f, 0.2f, 1).normalized();
+  tilted.normals.assign(4, wanted);
+  QuantizedAtlas const target = quantized(test::facing_atlas(square(), 16));
+  BakedModel const model = bake(target, surveyed(tilted), options);
+  auto const t = texel(*model.derived_normal, 8, 8);
+  V3f const m(float(t[0]) / 127.5f - 1, float(t[1]) / 127.5f - 1, float(t[2]) / 127.5f - 1);
+  TriMesh const& mesh = target.atlas.mesh;
+  Triangle const& face = mesh.triangles[0];
+  TangentFrame const frame = client_frame({mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]},
+                                          target.atlas.corner_uvs[0], {0, 0, 1});
+  EXPECT_GT(from_tangent_space(frame, m).dot(wanted), 0.9999f);
 }
 
 TEST(Bake, ModelsWithColourGetNoOcclusion) {

@@ -28,13 +28,14 @@ TEST(Preset, PaperSetsThePapersChoices) {
   EXPECT_EQ(paper.encode.colour_codec, MapCodec::jpeg);
   EXPECT_EQ(paper.encode.colour_quality, 90);
   EXPECT_EQ(paper.encode.normal_codec, MapCodec::png);
+  EXPECT_TRUE(paper.encode.x3dom);
 }
 
 TEST(Preset, FlagsWinOnEitherSideOfIt) {
-  for (char const* line : {"--preset paper --texture 512 --normal-codec auto", "--texture 512 --normal-codec auto --preset paper"}) {
+  for (char const* line : {"--preset paper --texture 512 --no-x3dom", "--texture 512 --no-x3dom --preset paper"}) {
     graph::ModelOptions const options = parsed(line);
     EXPECT_EQ(options.pack.texture, 512) << line;
-    EXPECT_EQ(options.encode.normal_codec, MapCodec::automatic) << line;
+    EXPECT_FALSE(options.encode.x3dom) << line;
     EXPECT_EQ(options.simplify.decimator, Decimator::openmesh) << line;
   }
 }

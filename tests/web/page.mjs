@@ -61,6 +61,56 @@ function showGeometric(root, normal) {
   }
 }
 
+// A picture as RGBA bytes, row by row from the top.
+async function pixelsOf(url) {
+  const image = new Image();
+  image.src = url;
+  await image.decode();
+  const context = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height }).getContext('2d');
+  context.drawImage(image, 0, 0);
+  return context.getImageData(0, 0, image.width, image.height).data;
+}
+
+// The model in perspective, from the front and 10 degrees above, where its sphere just fits; lit from the camera.
+async function portrait(url) {
+  const { scene: root } = await loader.loadAsync(url);
+  const box = new THREE.Box3().setFromObject(root, true);
+  const centre = box.getCenter(new THREE.Vector3());
+  let radius = 0;
+  const place = new THREE.Vector3();
+  for (const { geometry, matrixWorld } of meshes(root))
+    for (let i = 0; i < geometry.attributes.position.count; ++i)
+      radius = Math.max(radius, place.fromBufferAttribute(geometry.attributes.position, i).applyMatrix4(matrixWorld).distanceTo(centre));
+  const rise = Math.PI / 18, distance = radius / Math.sin(Math.PI / 12);
+  const camera = new THREE.PerspectiveCamera(30, 1, distance - 1.5 * radius, distance + 1.5 * radius);
+  camera.position.set(0, Math.sin(rise), Math.cos(rise)).multiplyScalar(distance).add(centre);
+  camera.lookAt(centre);
+  const sun = new THREE.DirectionalLight(0xffffff, Math.PI);
+  sun.position.copy(camera.position);
+  sun.target.position.copy(centre);
+  const scene = new THREE.Scene().add(root, sun, sun.target);
+  renderer.render(scene, camera);
+  return pixelsOf(renderer.domElement.toDataURL());
+}
+
+// How a screenshot of SIDE x SIDE pixels, its background magenta, differs from the portrait of a GLB: overlap of the silhouettes,
+// and the mean difference of the colours where both show the model, signed and not.
+window.against = async (screenshot, url) => {
+  const [shown, wanted] = [await pixelsOf(screenshot), await portrait(url)];
+  let [both, either, bias, error] = [0, 0, 0, 0];
+  for (let i = 0; i < wanted.length; i += 4) {
+    const here = !(shown[i] > 250 && shown[i + 1] < 5 && shown[i + 2] > 250), there = wanted[i + 3] > 127;
+    either += here || there;
+    if (!here || !there) continue;
+    ++both;
+    for (let k = 0; k < 3; ++k) {
+      bias += (shown[i + k] - wanted[i + k]) / 3;
+      error += Math.abs(shown[i + k] - wanted[i + k]) / 3;
+    }
+  }
+  return { overlap: both / either, share: either / (wanted.length / 4), bias: bias / both, error: error / both };
+};
+
 // `centre` left out: the camera looks at the middle of the model's box, and its sphere just fits.
 window.draw = async (url, { centre, light, places = [], geometric = null }) => {
   const { scene: root } = await loader.loadAsync(url);
