@@ -9,32 +9,30 @@ namespace {
 
 constexpr double kMostCells = 1 << 19;
 
-double total_area(TriMesh const& mesh) {
-  double sum = 0;
-  for (auto const& [a, b, c] : mesh.triangles) {
-    V3d const p(mesh.positions[a]);
-    sum += (V3d(mesh.positions[b]) - p).cross(V3d(mesh.positions[c]) - p).length() / 2;
-  }
-  return sum;
-}
-
 }  // namespace
 
-FaceGrid::FaceGrid(TriMesh const& mesh) {
-  double const edge = std::sqrt(total_area(mesh) / double(mesh.triangles.size()));
-  reach_ = float(edge / 2);
+float usual_reach(TriMesh const& mesh) {
+  double area = 0;
+  for (auto const& [a, b, c] : mesh.triangles) {
+    V3d const p(mesh.positions[a]);
+    area += (V3d(mesh.positions[b]) - p).cross(V3d(mesh.positions[c]) - p).length() / 2;
+  }
+  return float(std::sqrt(area / double(mesh.triangles.size())) / 2);
+}
+
+FaceGrid::FaceGrid(TriMesh const& mesh, float reach) : reach_(reach) {
   Box3f box = bounds(mesh);
   box.min -= V3f(reach_), box.max += V3f(reach_);
   V3d const size(box.size());
   origin_ = box.min;
-  cell_ = float(std::max(edge / 2, std::cbrt(size.x * size.y * size.z / kMostCells)));
+  cell_ = float(std::max(double(reach_), std::cbrt(size.x * size.y * size.z / kMostCells)));
   if (!(cell_ > 0)) return;
   for (int k = 0; k < 3; ++k) cells_[k] = std::max(1, int(std::ceil(size[k] / cell_)));
 
   faces_.reserve(mesh.triangles.size());
   for (auto const& [a, b, c] : mesh.triangles) {
-    V3f const corner = mesh.positions[a], to_b = mesh.positions[b] - corner, to_c = mesh.positions[c] - corner;
-    faces_.push_back({corner, to_b, to_c, V3f(V3d(to_b).cross(V3d(to_c)).normalized())});
+    V3f const corner = mesh.positions[a];
+    faces_.push_back(face(corner, mesh.positions[b] - corner, mesh.positions[c] - corner));
   }
   first_.assign(std::size_t(cells_.x) * cells_.y * cells_.z + 1, 0);
   for (Face const& face : faces_) for_cells(face, [&](std::size_t cell) { ++first_[cell]; });
@@ -43,6 +41,15 @@ FaceGrid::FaceGrid(TriMesh const& mesh) {
   listed_.resize(sum);
   for (std::size_t f = faces_.size(); f-- > 0;)
     for_cells(faces_[f], [&](std::size_t cell) { listed_[--first_[cell]] = std::uint32_t(f); });
+}
+
+FaceGrid::Face FaceGrid::face(V3f const& corner, V3f const& b, V3f const& c) {
+  V3d const along_b(b), along_c(c), area = along_b.cross(along_c);
+  double const area2 = area.length2();
+  if (!(area2 > 0)) return {corner, b, c, V3f(0), V3f(0), V3f(0), {0, 0, 0}};
+  V3d const u = along_c.cross(area) / area2, v = area.cross(along_b) / area2;
+  return {corner, b, c, V3f(area.normalized()), V3f(u), V3f(v),
+          {float(u.length2()), float(v.length2()), float((u + v).length2())}};
 }
 
 /// Calls visit(cell) for cells that come within reach of the face; for a few more as well.
@@ -69,24 +76,39 @@ void FaceGrid::for_cells(Face const& face, Visit const& visit) const {
       }
 }
 
-std::optional<FaceGrid::Match> FaceGrid::closest(V3f const& point, V3f const& side) const {
+void FaceGrid::improve(std::uint32_t index, V3f const& point, V3f const& side, std::optional<Match>& best,
+                       float& least) const {
+  Face const& face = faces_[index];
+  V3f const p = point - face.corner;
+  float const height = p.dot(face.normal), left = least - height * height;
+  if (!(left > 0) || (side != V3f(0) && !(side.dot(face.normal) > 0))) return;
+  Barycentric at{face.slope_u.dot(p), face.slope_v.dot(p)};
+  std::array<float, 3> const weights{at.u, at.v, 1 - at.u - at.v};
+  bool inside = face.normal != V3f(0);
+  for (int k = 0; k < 3; ++k)
+    if (weights[k] < 0) {
+      if (weights[k] * weights[k] >= left * face.slopes2[k]) return;  // as far as that beyond an edge's line
+      inside = false;
+    }
+  float distance2 = height * height;
+  if (!inside) {
+    at = closest_on_triangle(p, face.b, face.c);
+    distance2 = (p - face.b * at.u - face.c * at.v).length2();
+    if (!(distance2 < least)) return;
+  }
+  least = distance2;
+  best = Match{index, at};
+}
+
+std::optional<FaceGrid::Match> FaceGrid::closest(V3f const& point, V3f const& side, std::uint32_t hint) const {
   V3f const place = (point - origin_) / cell_;
   for (int k = 0; k < 3; ++k)
     if (!(place[k] >= 0 && place[k] < float(cells_[k]))) return std::nullopt;
   std::size_t const cell = (std::size_t(place.z) * cells_.y + std::size_t(place.y)) * cells_.x + std::size_t(place.x);
   std::optional<Match> best;
   float least = reach_ * reach_;
-  for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-    Face const& face = faces_[listed_[i]];
-    V3f const p = point - face.corner;
-    float const height = p.dot(face.normal);
-    if (height * height >= least || !(side.dot(face.normal) > 0)) continue;
-    Barycentric const at = closest_on_triangle(p, face.b, face.c);
-    float const distance2 = (p - face.b * at.u - face.c * at.v).length2();
-    if (!(distance2 < least)) continue;
-    least = distance2;
-    best = Match{listed_[i], at};
-  }
+  if (hint < faces_.size()) improve(hint, point, side, best, least);
+  for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) improve(listed_[i], point, side, best, least);
   return best;
 }
 

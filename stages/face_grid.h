@@ -5,6 +5,7 @@
 #include "stages/closest_point.h"
 #include "stages/data.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,20 +20,26 @@ class FaceGrid {
     Barycentric at;
   };
 
-  explicit FaceGrid(TriMesh const& mesh);
+  /// Faces may be edges, two of their corners being the same vertex.
+  FaceGrid(TriMesh const& mesh, float reach);
 
-  /// The closest point, not farther than reach(), on a face whose normal makes an acute angle with `side`; of equally
-  /// close faces the first.
-  std::optional<Match> closest(V3f const& point, V3f const& side) const;
+  /// The closest point, nearer than reach(), on a face whose normal makes an acute angle with `side`; `side` zero: any
+  /// face. The answer is found sooner if `hint` is a face close by.
+  std::optional<Match> closest(V3f const& point, V3f const& side, std::uint32_t hint = 0) const;
 
-  /// Half of a typical edge.
   float reach() const { return reach_; }
 
  private:
   struct Face {
-    V3f corner, b, c, normal;  ///< b, c: from the corner to the others; normal: unit, zero without area
+    V3f corner, b, c;   ///< b, c: from the corner to the others
+    V3f normal;         ///< unit; zero without area
+    V3f slope_u, slope_v;  ///< of the barycentric weights of b and c over space
+    std::array<float, 3> slopes2;  ///< squared slopes of the weights of b, c and the corner
   };
 
+  static Face face(V3f const& corner, V3f const& b, V3f const& c);
+
+  void improve(std::uint32_t index, V3f const& point, V3f const& side, std::optional<Match>& best, float& least) const;
   template <class Visit>
   void for_cells(Face const& face, Visit const& visit) const;
 
@@ -43,5 +50,8 @@ class FaceGrid {
   std::vector<std::uint32_t> first_;   ///< per cell, one more than cells: where its list begins
   std::vector<std::uint32_t> listed_;  ///< faces, ascending within a cell
 };
+
+/// Half of a typical edge: as far as a light mesh is from what it stands for, where it does.
+float usual_reach(TriMesh const& mesh);
 
 }  // namespace vitrine

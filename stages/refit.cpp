@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/refit.h"
 
+#include "stages/face_grid.h"
 #include "stages/fit_energy.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace vitrine {
@@ -13,7 +15,7 @@ namespace {
 using Imath::V3i;
 using V3l = Imath::Vec3<std::int64_t>;
 
-constexpr double kLeastCosine = 0.17;  // a face turns by less than 80 degrees
+constexpr double kLeastCosine = 0.5;  // a face turns by less than 60 degrees
 
 V3d area_vector(std::vector<V3f> const& positions, Triangle const& t) {
   V3d const a(positions[t[0]]);
@@ -24,12 +26,12 @@ bool keeps_side(V3d const& before, V3d const& after) {
   return after.length2() > 0 && before.dot(after) >= kLeastCosine * before.length() * after.length();
 }
 
-/// Puts the corners of faces that have turned back to `places`, until there are none.
-void put_flips_back(TriMesh& mesh, std::vector<V3f> const& places) {
+/// Puts the corners of faces that look elsewhere than in `before` back to `places`, until there are none.
+void put_turned_back(TriMesh& mesh, TriMesh const& before, std::vector<V3f> const& places) {
   for (bool turned = true; turned;) {
     turned = false;
     for (Triangle const& t : mesh.triangles) {
-      if (keeps_side(area_vector(places, t), area_vector(mesh.positions, t))) continue;
+      if (keeps_side(area_vector(before.positions, t), area_vector(mesh.positions, t))) continue;
       for (std::uint32_t v : t) {
         turned = turned || mesh.positions[v] != places[v];
         mesh.positions[v] = places[v];
@@ -110,15 +112,20 @@ class Rounding {
 
 }  // namespace
 
-TriMesh refit(TriMesh mesh, SurfaceSamples const& samples, RefitOptions const& options) {
+TriMesh refit(TriMesh const& mesh, SurfaceSamples const& samples, RefitOptions const& options) {
+  TriMesh fitted = mesh;
+  double const farthest = usual_reach(mesh) / 2;
   for (int i = 0; i < options.iterations; ++i) {
-    FitEnergy const energy(mesh, samples, options.facet_weight);
+    FitEnergy const energy(fitted, samples, options.facet_weight);
     std::vector<V3d> const moves = energy.least();
-    std::vector<V3f> places = mesh.positions;
-    for (std::size_t v = 0; v < moves.size(); ++v) mesh.positions[v] += V3f(moves[v] * energy.scale());
-    put_flips_back(mesh, places);
+    std::vector<V3f> const places = fitted.positions;
+    for (std::size_t v = 0; v < moves.size(); ++v) {
+      V3d const move = moves[v] * energy.scale();
+      fitted.positions[v] += V3f(move * std::min(1.0, farthest / move.length()));
+    }
+    put_turned_back(fitted, mesh, places);
   }
-  return mesh;
+  return fitted;
 }
 
 QuantizedMesh round_to_grid(TriMesh const& mesh, Grid const& grid, SurfaceSamples const& samples,

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/surface_samples.h"
 
+#include "stages/clean.h"
 #include "stages/closest_point.h"
 #include "stages/colour.h"
+#include "stages/edges.h"
 #include "stages/parallel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 
 namespace vitrine {
 namespace {
@@ -24,6 +28,69 @@ std::vector<double> running_areas(TriMesh const& mesh) {
   double sum = 0;
   for (double& area : areas) area = sum += area;
   return areas;
+}
+
+V3d face_normal(TriMesh const& mesh, std::uint32_t face) {
+  auto const& [a, b, c] = mesh.triangles[face];
+  V3d const p(mesh.positions[a]);
+  return (V3d(mesh.positions[b]) - p).cross(V3d(mesh.positions[c]) - p).normalized();
+}
+
+/// Steps along one line after the other as if they were one.
+class Pacer {
+ public:
+  explicit Pacer(double step) : step_(step), next_(step / 2) {}
+
+  /// visit(share) for each place on a line that counts as this long, 0 <= share < 1.
+  template <class Visit>
+  void walk(double length, Visit const& visit) {
+    for (; next_ < length; next_ += step_) visit(float(next_ / length));
+    next_ -= length;
+  }
+
+ private:
+  double step_, next_;
+};
+
+/// What for_edges meets where a welded mesh ends or bends sharply.
+struct Line {
+  V3f from, to;
+  double length;  ///< that it counts as
+  V3f normal;     ///< zero on the outline
+};
+
+std::vector<Line> lines(TriMesh const& mesh) {
+  constexpr double kSharp = std::numbers::pi / 3;
+  std::vector<Line> found;
+  for_edges(mesh, [&](std::span<FaceEdge const> edge) {
+    auto const [a, b] = ends(mesh, edge[0]);
+    V3f const from = mesh.positions[a], to = mesh.positions[b];
+    if (edge.size() == 1) found.push_back({from, to, (to - from).length(), V3f(0)});
+    if (edge.size() != 2) return;
+    V3d const n = face_normal(mesh, edge[0].face), m = face_normal(mesh, edge[1].face), turn = n.cross(m);
+    double const angle = std::atan2(turn.length(), n.dot(m));
+    bool const ridge = turn.dot(V3d(to - from)) > 0;
+    V3d const normal = (n + m).normalized();
+    if (ridge && angle >= kSharp && normal != V3d(0))
+      found.push_back({from, to, (to - from).length() * angle / std::numbers::pi, V3f(normal)});
+  });
+  return found;
+}
+
+/// Fills outline and ridges: places `step` apart, farther where that would be more than `most`.
+void sample_lines(TriMesh const& mesh, double step, std::size_t most, SurfaceSamples& samples) {
+  std::vector<Line> const all = lines(mesh);
+  double length = 0;
+  for (Line const& line : all) length += line.length;
+  Pacer pacer(std::max(step, length / double(most)));
+  for (auto const& [from, to, size, normal] : all)
+    pacer.walk(size, [&](float share) {
+      V3f const point = from + (to - from) * share;
+      if (normal == V3f(0))
+        samples.outline.push_back(point);
+      else
+        samples.ridges.push_back({point, (to - from).normalized(), normal});
+    });
 }
 
 /// The i-th place of a triangle.
@@ -50,6 +117,7 @@ SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count) 
   samples.radius = bounds(mesh).size().length() / 2;
   double const step = areas.back() / double(count);
   float const footprint = float(std::sqrt(step));
+  sample_lines(weld(*original.model), footprint, count / 4, samples);
   parallel_blocks(count, kGrain, [&](std::size_t begin, std::size_t end) {
     auto face = std::lower_bound(areas.begin(), areas.end(), (double(begin) + 0.5) * step);
     for (std::size_t i = begin; i < end; ++i) {
@@ -59,7 +127,7 @@ SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count) 
       Barycentric const at = spread(i);
       V3f const p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
       samples.points[i] = interpolate(p, q, r, at);
-      samples.normals[i] = V3f(V3d(q - p).cross(V3d(r - p)).normalized());
+      samples.normals[i] = V3f(face_normal(mesh, f));
       SurfaceSample const sample = original.surface.sample(Hit{f, at.u, at.v, 0}, footprint);
       samples.shading[i] = sample.normal;
       if (!samples.colours.empty()) samples.colours[i] = shown(sample.colour);

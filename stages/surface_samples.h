@@ -9,13 +9,21 @@
 
 namespace vitrine {
 
-/// Each stands for the same area. Any part [i k] of them, with one k, is spread as evenly.
+/// Each stands for the same area. Lines are sampled as densely as the surface.
 struct SurfaceSamples {
+  struct OnRidge {
+    V3f point;
+    V3f along;   ///< unit
+    V3f normal;  ///< unit, the mean of both faces'
+  };
+
   std::vector<V3f> points;
-  std::vector<V3f> normals;  ///< unit, of the faces
-  std::vector<V3f> shading;  ///< unit, as drawn: interpolated, normal map applied
-  std::vector<V4f> colours;  ///< sRGB in [0,1], and coverage; none if the original has but one colour
-  float radius = 0;  ///< half the diagonal of the original's bounding box
+  std::vector<V3f> normals;      ///< unit, of the faces
+  std::vector<V3f> shading;      ///< unit, as drawn: interpolated, normal map applied
+  std::vector<V4f> colours;      ///< sRGB in [0,1], and coverage; none if the original has but one colour
+  std::vector<V3f> outline;      ///< on open edges
+  std::vector<OnRidge> ridges;   ///< on edges where the surface turns away by 60 degrees or more; 180 count once
+  float radius = 0;              ///< half the diagonal of the original's bounding box
 };
 
 /// Places in equal steps of area along the list of faces; inside the faces the sequence of Roberts 2018, "The

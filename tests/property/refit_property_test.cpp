@@ -45,6 +45,16 @@ TriMesh ragged_sheet() {
   return weld(test::plain_model(mesh));
 }
 
+/// A closed blade with a wavy surface and two sharp edges, whose smooth normals look across its sides.
+TriMesh blade() {
+  TriMesh mesh = test::sphere(80, 60);
+  for (V3f& p : mesh.positions) {
+    float const side = p.z > 0 ? 1.f : p.z < 0 ? -1.f : 0.f;
+    p = V3f(p.x, 4 * p.y, 0.3f * side * std::max(0.f, 1 - std::abs(p.x) - p.y * p.y) * (1 + 0.1f * std::sin(9 * p.y)));
+  }
+  return weld(clean(test::plain_model(mesh)).model);
+}
+
 struct Case {
   std::string name;
   TriMesh original;
@@ -55,7 +65,6 @@ std::vector<Case> cases() {
   return {{"bumpy sphere 1", test::bumpy_sphere(120, 80, 1), 500},
           {"bumpy sphere 2", test::bumpy_sphere(120, 80, 2), 1500},
           {"torus", test::torus(120, 60), 300},
-          {"slab of genus 9", test::pierced_slab(3), 120},
           {"ragged sheet", ragged_sheet(), 400}};
 }
 
@@ -78,15 +87,23 @@ TEST(RefitProperty, BringsPlacesAndNormalsCloserAndTurnsNoFace) {
   }
 }
 
+/// Area of what a mesh covers, seen from above.
+double shadow(TriMesh const& mesh) {
+  double sum = 0;
+  for (Triangle const& t : mesh.triangles) sum += std::abs(area_vector(mesh, t).y);
+  return sum;
+}
+
 TEST(RefitProperty, KeepsTheOutlineOfARaggedSheet) {
   TriMesh const original = ragged_sheet(), light = simplified(original, 400);
   TriMesh const fitted = refit(light, sample_surface(surveyed(original), 100'000));
-  auto const area = [](TriMesh const& mesh) {
-    double sum = 0;
-    for (Triangle const& t : mesh.triangles) sum += std::abs(area_vector(mesh, t).y);
-    return sum;
-  };
-  EXPECT_NEAR(area(fitted) / area(light), 1, 0.002);
+  EXPECT_NEAR(shadow(fitted) / shadow(original), 1, std::abs(shadow(light) / shadow(original) - 1) + 0.001);
+}
+
+TEST(RefitProperty, KeepsABladeSharp) {
+  TriMesh const original = blade(), light = simplified(original, 300);
+  TriMesh const fitted = refit(light, sample_surface(surveyed(original), 100'000));
+  EXPECT_NEAR(bounds(fitted).size().x, bounds(original).size().x, 0.01);
 }
 
 TEST(RefitProperty, LeavesAMeshAloneThatHasNoSamplesNearby) {

@@ -48,6 +48,33 @@ TEST(SurfaceSamples, CarryTheNormalsOfFacesAndOfShading) {
     EXPECT_NEAR(cube.normals[i].dot(cube.points[i]), 0.5f, 1e-6f) << "of the face, not of the corners";
 }
 
+TEST(SurfaceSamples, FollowTheOutlineAsDenselyAsTheSurface) {
+  SurfaceSamples const samples = samples_of(test::grid(10, 10), 10'000);  // a tenth apart
+  EXPECT_NEAR(double(samples.outline.size()), 400, 2);
+  for (V3f const& p : samples.outline) EXPECT_TRUE(p.x == 0 || p.x == 10 || p.z == 0 || p.z == 10) << p;
+  EXPECT_TRUE(samples_of(test::sphere(), 1000).outline.empty());
+}
+
+TEST(SurfaceSamples, FollowSharpRidges) {
+  SurfaceSamples const samples = samples_of(test::cube(), 60'000);  // a hundredth apart; 90 degrees count half
+  EXPECT_NEAR(double(samples.ridges.size()), 600, 2);
+  for (auto const& [point, along, normal] : samples.ridges) {
+    EXPECT_NEAR(point.dot(normal), std::sqrt(0.5f), 1e-5f);
+    EXPECT_NEAR(along.dot(normal), 0, 1e-6f);
+  }
+  EXPECT_TRUE(samples_of(test::sphere(), 1000).ridges.empty());
+}
+
+TEST(FaceGrid, TakesEdgesForFaces) {
+  TriMesh const edges{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 1, 0}, {1, 2, 1}}};
+  FaceGrid const grid(edges, 0.5f);
+  auto const match = grid.closest({1.5f, 0.3f, 0.1f}, V3f(0));
+  ASSERT_TRUE(match);
+  EXPECT_EQ(match->face, 0u);
+  EXPECT_FLOAT_EQ(match->at.u, 0.75f);
+  EXPECT_FALSE(grid.closest({1, 1, 0}, V3f(0)));
+}
+
 TEST(FaceGrid, FindsWhatASearchThroughAllFacesFinds) {
   TriMesh mesh = test::bumpy_sphere(40, 20);
   TriMesh const slab = test::pierced_slab(2);
@@ -55,7 +82,7 @@ TEST(FaceGrid, FindsWhatASearchThroughAllFacesFinds) {
     mesh.triangles.push_back({t[0] + 762, t[1] + 762, t[2] + 762});
   ASSERT_EQ(mesh.positions.size(), 762u);
   for (V3f const& p : slab.positions) mesh.positions.push_back(p * 0.3f + V3f(1, 0, 0));
-  FaceGrid const grid(mesh);
+  FaceGrid const grid(mesh, usual_reach(mesh));
   std::size_t found = 0;
   for (V3f const& from : mesh.positions)
     for (float out : {-0.9f, 0.1f, 0.6f, 2.f}) {
