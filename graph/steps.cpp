@@ -47,11 +47,6 @@ std::vector<Reference> judges(SurveyedModel const& model, ModelOptions const& op
 
 bool has_textures(SourceModel const& model) { return !model.uvs.empty() && !model.images.empty(); }
 
-/// Weight of the facets' slopes in the refit: a coarse mesh shows each facet, a fine one few.
-double facet_weight(std::size_t triangles) {
-  return std::clamp(1 - 0.5 * std::log2(double(std::max<std::size_t>(triangles, 1)) / 4000), 0.3, 1.0);
-}
-
 /// In model units; 0: none.
 double deviation_limit(Original const& original, ModelOptions const& options) {
   double const radius = original.reference.sphere.radius;
@@ -182,7 +177,7 @@ SimplifiedMesh shape_model(Job& job) {
                                                     : levels.plain->at(recipe.triangles);
   job.row.simplify_error = light.error;
   if (!levels.fixed && recipe.shading == Shading::facets)
-    light.mesh = refit(std::move(light.mesh), job.original->samples, {.facet_weight = facet_weight(light.mesh.triangles.size())});
+    light.mesh = refit(light.mesh, job.original->samples);
   return light;
 }
 
@@ -191,7 +186,7 @@ BakedModel paint_vertices(SimplifiedMesh const& light, Job& job) {
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
   QuantizedMesh const placed =
       recipe.shading == Shading::facets
-          ? round_to_grid(light.mesh, grid, job.original->samples, {.facet_weight = facet_weight(light.mesh.triangles.size())})
+          ? round_to_grid(light.mesh, grid, job.original->samples)
           : quantize(light.mesh, grid);
   PaintOptions options;
   options.colour_bits = recipe.colour_bits;

@@ -31,7 +31,7 @@ VertexFit::VertexFit(TriMesh const& mesh, SurfaceSamples const& samples, std::sp
       row_sums_(mesh.positions.size(), 0),
       own_(mesh.positions.size(), 0),
       seen_(mesh.positions.size(), false) {
-  FaceGrid const grid(mesh);
+  FaceGrid const grid(mesh, usual_reach(mesh));
   std::vector<FaceGrid::Match> matches(samples.points.size());
   parallel_for(matches.size(), kGrain, [&](std::size_t s) {
     matches[s] = FaceGrid::Match{kNone, {}};
