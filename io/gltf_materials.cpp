@@ -8,6 +8,12 @@
 namespace vitrine::io {
 namespace {
 
+bool is_mipmapped(GltfJson const* sampler) {
+  constexpr std::uint64_t nearest = 9728, linear = 9729, trilinear = 9987;
+  std::uint64_t const filter = sampler ? whole(*sampler, "minFilter").value_or(trilinear) : trilinear;
+  return filter != nearest && filter != linear;
+}
+
 Wrap wrap_of(GltfJson const* sampler, char const* key) {
   std::uint64_t const mode = sampler ? whole(*sampler, key).value_or(10497) : 10497;
   if (mode == 33071) return Wrap::clamp;
@@ -137,6 +143,7 @@ TextureUse GltfMaterials::use(GltfJson const& info, ColourSpace space) {
   GltfJson const* const modes = sampler ? &gltf_.item("samplers", *sampler) : nullptr;
   result.wrap_u = wrap_of(modes, "wrapS");
   result.wrap_v = wrap_of(modes, "wrapT");
+  result.mipmapped = is_mipmapped(modes);
   if (GltfJson const* const transform = extension(info, "KHR_texture_transform")) result.matrix = uv_matrix(*transform);
   return result;
 }

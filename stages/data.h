@@ -57,6 +57,7 @@ enum class Wrap { repeat, mirror, clamp };
 struct TextureUse {
   int image = -1;  ///< index into SourceModel::images; -1: none
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  bool mipmapped = true;   ///< clients read smaller versions where it is far away; else the image itself, which flickers
   std::array<float, 6> matrix{1, 0, 0, 0, 1, 0};  ///< 2 x 3, row by row
 };
 

@@ -165,7 +165,7 @@ struct Surface::Impl {
       if (lane(normals, i) == V3f(0)) set_lane(normals, i, facet.across.normalized());
   }
 
-  /// `texels(image, uvs)`: how many texels of the image each sample's footprint is across, squared.
+  /// `texels(use, uvs)`: how many texels of the image each sample's footprint is across, squared.
   template <class Texels>
   void sample(Facet const& facet, Places const& at, Texels const& texels, SurfaceLanes& samples) const {
     interpolate(facet.colours, at, samples.colour);
@@ -185,7 +185,7 @@ struct Surface::Impl {
   template <class Texels>
   LaneVector<4> look_up(TextureUse const& use, MipMaps const& maps, CornerUvs const& uvs, Places const& at,
                         Texels const& texels) const {
-    Lanes const squared = texels(model.images[use.image], uvs);
+    Lanes const squared = texels(use, uvs);
     LaneVector<4> read;
     for (std::size_t i = 0; i < at.count; ++i) {
       float const level = squared[i] > 1 ? std::log2(squared[i]) / 2 : 0;
@@ -238,7 +238,8 @@ SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
   Places at;
   at.count = 1, at.u[0] = hit.u, at.v[0] = hit.v;
   SurfaceLanes made;
-  auto const texels = [&](Image const& image, CornerUvs const& uvs) {
+  auto const texels = [&](TextureUse const& use, CornerUvs const& uvs) {
+    Image const& image = impl_->model.images[use.image];
     float const all = std::abs((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0])) * float(image.width) * float(image.height);
     return Lanes{footprint * footprint * all / facet.across.length()};
   };
@@ -249,7 +250,9 @@ SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
 Facet Surface::facet(std::uint32_t face) const { return impl_->facet(face); }
 
 void Surface::sample(Facet const& facet, Places const& at, SurfaceLanes& samples) const {
-  auto const texels = [&](Image const& image, CornerUvs const& uvs) {
+  auto const texels = [&](TextureUse const& use, CornerUvs const& uvs) {
+    if (!use.mipmapped) return Lanes{};
+    Image const& image = impl_->model.images[use.image];
     V2f const size(float(image.width), float(image.height));
     V2f const along_b = (uvs[1] - uvs[0]) * size, along_c = (uvs[2] - uvs[0]) * size;
     Lanes squared;

@@ -497,6 +497,9 @@ TEST(ReadGltf, SamplersSayHowTexturesRepeat) {
   TextureUse const use = read(b).materials[0].colour_map;
   EXPECT_EQ(use.wrap_u, Wrap::clamp);
   EXPECT_EQ(use.wrap_v, Wrap::mirror);
+  EXPECT_TRUE(use.mipmapped);
+  b.json["samplers"][0]["minFilter"] = 9729;
+  EXPECT_FALSE(read(b).materials[0].colour_map.mipmapped);
 }
 
 TEST(ReadGltf, TextureTransformsScaleThenTurnThenShift) {

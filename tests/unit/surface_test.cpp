@@ -55,6 +55,22 @@ TEST(Surface, AFootprintAsWideAsTheTextureSeesItsMean) {
               ElementsAre(FloatNear(0.5f, 0.003f), 0, FloatNear(0.5f, 0.003f), 1));
 }
 
+TEST(Surface, AsClientsDrawItATextureWithoutSmallerVersionsIsReadAsItIs) {
+  SourceModel model = textured_triangle(stripes());
+  Places at;
+  at.count = 1, at.u[0] = at.v[0] = 0.25f;
+  at.step_u[0][0] = 1, at.step_v[0][0] = at.step_u[1][0] = at.step_v[1][0] = 0;
+  auto const red = [&](bool mipmapped) {
+    model.materials[0].colour_map.mipmapped = mipmapped;
+    Surface const surface(model);
+    SurfaceLanes lanes;
+    surface.sample(surface.facet(0), at, lanes);
+    return lanes.colour[0][0];
+  };
+  EXPECT_FLOAT_EQ(red(false), 1);
+  EXPECT_NEAR(red(true), 0.5f, 0.003f);
+}
+
 TEST(Surface, TextureTransformsApply) {
   SourceModel model = textured_triangle(stripes());
   model.materials[0].colour_map.matrix = {1, 0, 0.5f, 0, 1, 0};
