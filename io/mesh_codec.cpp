@@ -82,6 +82,7 @@ void use_grid(draco::ExpertEncoder& encoder, draco::Mesh const& mesh, Grid const
 
 VertexMesh split_vertices(BakedModel const& model) {
   VertexMesh split;
+  split.palette = model.palette;
   std::vector<std::uint32_t> first(model.mesh.positions.size(), kNone);  // per welded vertex: its newest copy
   std::vector<std::uint32_t> next;                                       // per copy: the one made before it
   auto copy_of = [&](std::uint32_t vertex, V2f const* uv, V3f const* tangent) {
@@ -129,6 +130,9 @@ DracoMesh encode_draco(VertexMesh const& mesh, Grid const& grid) {
     encoder.SetTrackEncodedProperties(true);
     use_grid(encoder, *built, grid);
     (void)encoder.SetAttributePredictionScheme(position_attribute(*built), attempt.prediction);
+    if (mesh.palette)  // the default, made for charts, takes 15 to 30 % more
+      (void)encoder.SetAttributePredictionScheme(built->GetNamedAttributeId(draco::GeometryAttribute::TEX_COORD),
+                                                 draco::PREDICTION_DIFFERENCE);
     draco::EncoderBuffer buffer;
     status = encoder.EncodeToBuffer(&buffer);
     if (!status.ok() || (!result.bytes.empty() && result.bytes.size() <= buffer.size())) continue;

@@ -22,6 +22,7 @@ struct VertexMesh {
   std::vector<V2f> uvs;       ///< as many, or empty
   std::vector<V3f> colours;   ///< as many, linear, in [0,1], or empty
   std::vector<Triangle> triangles;
+  bool palette = false;  ///< uvs name colours: they vary as colours do, not as places
 };
 
 /// Splits the welded vertices of a baked model where texture coordinates or tangents differ between corners; vertices

@@ -42,7 +42,7 @@ std::optional<ImageCodec> asked_for(MapCodec codec) {
   }
 }
 
-/// Embeds a map; returns its glTF reference and adds its bytes to `bytes`.
+/// Embeds a coded map; returns its glTF reference and adds its bytes to `bytes`.
 Json write_map(GltfDocument& document, EncodedImage const& coded, std::size_t& bytes) {
   bytes += coded.bytes.size();
   std::size_t const source =
@@ -63,13 +63,23 @@ Json colour_factor(Rgba const& colour) {
   return list;
 }
 
+/// A palette is stored without loss, and clients must read it as it is: smaller versions of it mix colours from all over.
+Json write_palette(GltfDocument& document, Image const& palette, std::size_t& bytes) {
+  constexpr int kLinear = 9729;
+  document.json["samplers"][0]["minFilter"] = kLinear;
+  Json map = write_map(document, encode_image(palette, {ImageCodec::png}), bytes);
+  document.json["textures"][map["index"].get<std::size_t>()]["sampler"] = 0;
+  return map;
+}
+
 Json write_material(GltfDocument& document, BakedModel const& model, EncodeOptions const& options,
                     EncodedThumbnail& sizes) {
   Json pbr = {{"metallicFactor", 0}};
   if (Json factor = colour_factor(model.base_colour); factor != Json::array({1, 1, 1, 1}))
     pbr["baseColorFactor"] = std::move(factor);
   if (model.colour)
-    pbr["baseColorTexture"] = write_map(document, encode_colour(*model.colour, options), sizes.colour);
+    pbr["baseColorTexture"] = model.palette ? write_palette(document, *model.colour, sizes.colour)
+                                            : write_map(document, encode_colour(*model.colour, options), sizes.colour);
   Json material = {{"pbrMetallicRoughness", std::move(pbr)}};
   if (model.normal)
     material["normalTexture"] = write_map(document, encode_normal(*model.normal, options), sizes.normal);

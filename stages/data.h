@@ -165,6 +165,7 @@ struct BakedModel {
   Grid grid;
   Rgba base_colour{1, 1, 1, 1};       ///< multiplies colour map and vertex colours; alone for models of one colour
   std::optional<Image> colour;        ///< sRGB, 3 or 4 channels
+  bool palette = false;               ///< `colour` lists colours that vertices pick by their uvs, see palette.h
   std::optional<Image> normal;        ///< tangent space of chart_tangents, 3 channels, linear
   std::optional<Image> derived_normal;  ///< the same normals for clients that build the frame without TANGENT
   std::optional<Image> occlusion;     ///< 1 channel, linear

@@ -2,6 +2,7 @@
 #include "stages/paint.h"
 
 #include "stages/colour.h"
+#include "stages/palette.h"
 #include "stages/parallel.h"
 #include "stages/plain_model.h"
 #include "stages/vertex_fit.h"
@@ -67,6 +68,18 @@ void store_colours(std::vector<V3f> const& srgb, BakedModel& model) {
   model.alpha = AlphaMode::opaque;
 }
 
+void store_palette(std::vector<V3f> const& srgb, BakedModel& model) {
+  Palette palette = make_palette(srgb, model.grid.colour_bits);
+  model.grid.uv_bits = model.grid.colour_bits;
+  model.corner_uvs.reserve(model.mesh.triangles.size());
+  for (auto const& [a, b, c] : model.mesh.triangles)
+    model.corner_uvs.push_back({palette.uvs[a], palette.uvs[b], palette.uvs[c]});
+  model.colour = std::move(palette.image);
+  model.palette = true;
+  model.base_colour = {1, 1, 1, 1};
+  model.alpha = AlphaMode::opaque;
+}
+
 void store_coverage(SurfaceSamples const& samples, SurveyedModel const& original, BakedModel& model) {
   if (original.surface.alpha() != AlphaMode::blend) return;
   double sum = 0;
@@ -95,7 +108,8 @@ BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, Sur
   BakedModel model = plain_model(target.mesh, target.grid, original);
   if (original.surface.coloured()) {
     model.grid.colour_bits = options.colour_bits;
-    store_colours(fitted_colours(target.mesh, original, samples, options.smoothing), model);
+    std::vector<V3f> const colours = fitted_colours(target.mesh, original, samples, options.smoothing);
+    (options.palette ? store_palette : store_colours)(colours, model);
     store_coverage(samples, original, model);
   }
   if (options.normals && !model.unlit) {

@@ -9,14 +9,16 @@
 namespace vitrine {
 
 struct PaintOptions {
-  int colour_bits = 6;
+  bool palette = true;
+  int colour_bits = 5;
   double smoothing = 0.1;
   bool normals = false;
   int normal_bits = 6;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.colour_bits, Field{"colour-bits", "bits", "of each channel of stored colours per vertex", 4, 8});
+    visit(self.palette, Field{"palette", "", "colours per vertex as places in a small palette, not as red, green and blue"});
+    visit(self.colour_bits, Field{"colour-bits", "bits", "of each number of a colour per vertex", 3, 8});
     visit(self.smoothing,
           Field{"colour-smoothing", "",
                 "colours per vertex: 0 fits the original best, 1 takes the mean around the vertex, which packs better", 0, 10});

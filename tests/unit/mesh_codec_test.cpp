@@ -79,6 +79,22 @@ TEST(EncodeDraco, KeepsColoursOfTheGridExactly) {
   }
 }
 
+TEST(EncodeDraco, PacksPalettesAsColours) {
+  BakedModel model = bare(test::bumpy_sphere(48, 24));
+  model.grid.uv_bits = 5;
+  for (Triangle const& t : model.mesh.triangles) {
+    CornerUvs uvs;
+    for (std::size_t c = 0; c < 3; ++c) {
+      V3f const& p = model.mesh.positions[t[c]];
+      uvs[c] = {0.5f + 0.25f * std::sin(9 * p.x) * std::cos(7 * p.y), 0.5f + 0.1f * std::sin(8 * p.z)};
+    }
+    model.corner_uvs.push_back(uvs);
+  }
+  std::size_t const as_charts = encode_draco(split_vertices(model), model.grid).bytes.size();
+  model.palette = true;
+  EXPECT_LT(encode_draco(split_vertices(model), model.grid).bytes.size(), as_charts - 50);
+}
+
 TEST(EncodeDraco, StaysWithinHalfAStepOffTheGrid) {
   BakedModel const model = bare(test::bumpy_sphere(24, 12));
   VertexMesh const mesh = split_vertices(model);

@@ -4,6 +4,7 @@
 #include "io/mesh_codec.h"
 #include "stages/clean.h"
 #include "stages/colour.h"
+#include "stages/mip_map.h"
 #include "tests/support/delivered.h"
 #include "tests/support/meshes.h"
 
@@ -24,10 +25,21 @@ BakedModel painted(SourceModel original, PaintOptions const& options = {}) {
   return paint(quantize(mesh, cube_about(mesh, 12)), model, sample_surface(model, kSamples), options);
 }
 
-/// Linear light as a client shows it.
-V3f shown(BakedModel const& model, std::size_t vertex) {
+/// Linear light at each vertex, as a client shows it.
+std::vector<V3f> shown(BakedModel const& model) {
   V3f const factor(model.base_colour[0], model.base_colour[1], model.base_colour[2]);
-  return model.colours.empty() ? factor : factor * model.colours[vertex];
+  std::vector<V3f> colours = model.colours;
+  colours.resize(model.mesh.positions.size(), V3f(1));
+  if (model.colour) {
+    MipMap const map(*model.colour, ColourSpace::srgb);
+    for (std::size_t f = 0; f < model.corner_uvs.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        Rgba const c = map.sample(model.corner_uvs[f][k], 0, Wrap::repeat, Wrap::repeat);
+        colours[model.mesh.triangles[f][k]] = {c[0], c[1], c[2]};
+      }
+  }
+  for (V3f& colour : colours) colour *= factor;
+  return colours;
 }
 
 Rgba16 code(V3f const& linear, float alpha = 1) {
@@ -37,10 +49,11 @@ Rgba16 code(V3f const& linear, float alpha = 1) {
 
 TEST(Paint, OneColourNeedsNoVertexColours) {
   SourceModel model = test::plain_model(test::cube());
-  EXPECT_THAT(painted(model).colours, testing::IsEmpty());
+  EXPECT_FALSE(painted(model).colour);
   model.colours.assign(model.mesh.positions.size(), code({0.25f, 0.5f, 0.125f}));
   BakedModel const one = painted(model);
   EXPECT_THAT(one.colours, testing::IsEmpty());
+  EXPECT_FALSE(one.colour);
   EXPECT_NEAR(one.base_colour[1], 0.5f, 1e-4f);
 }
 
@@ -48,18 +61,20 @@ TEST(Paint, EachShellKeepsItsColour) {
   SourceModel model = test::plain_model(test::two_shells());
   V3f const first(0.5f, 0.25f, 0.25f), second(0.25f, 0.5f, 0);
   for (std::size_t v = 0; v < 16; ++v) model.colours.push_back(code(v < 8 ? first : second));
-  BakedModel const both = painted(model, {.colour_bits = 8});
-  ASSERT_EQ(both.colours.size(), 16u);
-  for (std::size_t v = 0; v < 16; ++v) {
-    bool const near_first = (both.mesh.positions[v] - both.mesh.positions[0]).length() < 1.8f;
-    EXPECT_LT((shown(both, v) - (near_first ? first : second)).length(), 0.51f * 1.74f / 255);
+  for (bool palette : {false, true}) {
+    BakedModel const both = painted(model, {.palette = palette, .colour_bits = 8});
+    std::vector<V3f> const colours = shown(both);
+    for (std::size_t v = 0; v < 16; ++v) {
+      bool const near_first = (both.mesh.positions[v] - both.mesh.positions[0]).length() < 1.8f;
+      EXPECT_LT((colours[v] - (near_first ? first : second)).length(), 0.006f);
+    }
   }
 }
 
 TEST(Paint, FollowsSmoothColours) {
   SourceModel const original = test::painted_model(test::sphere(48, 24));
-  BakedModel const model = painted(original, {.colour_bits = 8, .smoothing = 0});
-  TriMesh const welded = weld(original);
+  BakedModel const model = painted(original, {.palette = false, .colour_bits = 8, .smoothing = 0});
+  std::vector<V3f> const colours = shown(model);
   double worst = 0;
   for (std::size_t v = 0; v < model.mesh.positions.size(); ++v) {
     float nearest = 1;
@@ -71,7 +86,7 @@ TEST(Paint, FollowsSmoothColours) {
         wanted = V3f(c[0], c[1], c[2]) / 65535;
       }
     for (unsigned k = 0; k < 3; ++k)
-      worst = std::max<double>(worst, std::abs(linear_to_srgb(shown(model, v)[k]) - linear_to_srgb(wanted[k])));
+      worst = std::max<double>(worst, std::abs(linear_to_srgb(colours[v][k]) - linear_to_srgb(wanted[k])));
   }
   EXPECT_LT(worst, 0.03);
 }
@@ -79,16 +94,19 @@ TEST(Paint, FollowsSmoothColours) {
 TEST(Paint, HardEdgesStayWithinTheUnitCube) {
   SourceModel model = test::plain_model(test::grid(16, 16));
   for (V3f const& p : model.mesh.positions) model.colours.push_back(code(p.x < 8 ? V3f(0) : V3f(1)));
-  BakedModel const edge = painted(model, {.smoothing = 0});
+  BakedModel const edge = painted(model, {.palette = false, .smoothing = 0});
   for (V3f const& colour : edge.colours)
     for (unsigned k = 0; k < 3; ++k) EXPECT_TRUE(colour[k] >= 0 && colour[k] <= 1) << colour;
   for (float c : edge.base_colour) EXPECT_LE(c, 1);
 }
 
 TEST(Paint, ColoursDecodeExactlyAsPainted) {
-  BakedModel const model = painted(test::painted_model(test::torus()), {.colour_bits = 5});
-  io::VertexMesh const mesh = io::split_vertices(model);
-  EXPECT_EQ(test::corners(test::decode_draco(io::encode_draco(mesh, model.grid).bytes)), test::corners(mesh));
+  for (bool palette : {false, true}) {
+    BakedModel const model = painted(test::painted_model(test::torus()), {.palette = palette});
+    io::VertexMesh const mesh = io::split_vertices(model);
+    EXPECT_EQ(mesh.positions.size(), model.mesh.positions.size()) << "no vertex is split";
+    EXPECT_EQ(test::corners(test::decode_draco(io::encode_draco(mesh, model.grid).bytes)), test::corners(mesh));
+  }
 }
 
 TEST(Paint, BlendsByTheMeanAndCannotCutOut) {
@@ -130,7 +148,8 @@ TEST(Paint, GivesTheSameOnOneThreadAndTwo) {
     return painted(test::painted_model(test::bumpy_sphere(64, 32)), {.normals = true});
   };
   BakedModel const one = with(1), two = with(2);
-  EXPECT_EQ(one.colours, two.colours);
+  EXPECT_EQ(one.corner_uvs, two.corner_uvs);
+  EXPECT_EQ(one.colour->texels, two.colour->texels);
   EXPECT_EQ(one.normals, two.normals);
   EXPECT_EQ(one.base_colour, two.base_colour);
 }

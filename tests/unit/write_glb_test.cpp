@@ -280,6 +280,23 @@ TEST(WriteGlb, FlatColouredFilesHoldNothingElse) {
   EXPECT_LT(encode(test::coloured_model(1), "").other, 800u);
 }
 
+TEST(WriteGlb, PalettesAreStoredWithoutLossAndReadAsTheyAre) {
+  BakedModel model = test::random_model(1);
+  model.chart_tangents.clear();
+  model.colour = image(3);
+  model.palette = true;
+  for (Profile profile : kProfiles) {
+    EncodedThumbnail const thumbnail = encode(model, "", {profile});
+    Json const json = parse(thumbnail.glb).json;
+    EXPECT_EQ(json["samplers"], Json::parse(R"([{"minFilter":9729}])"));
+    EXPECT_EQ(json["textures"], Json::parse(R"([{"source":0,"sampler":0}])"));
+    Resolve const nothing = [](std::string_view) { return std::nullopt; };
+    SourceModel const read = read_gltf(own(thumbnail.glb), nothing);
+    EXPECT_FALSE(read.materials[0].colour_map.mipmapped);
+    EXPECT_EQ(read.images[0].texels, model.colour->texels);
+  }
+}
+
 TEST(WriteGlb, OurOwnReaderFindsTheSameMesh) {
   for (Profile profile : kProfiles) {
     BakedModel model = test::random_model(2);

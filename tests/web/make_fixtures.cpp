@@ -108,6 +108,25 @@ Fixture painted_facets() {
   return {"painted_facets", test::coloured_model(3), {{"light", {0, 0, 1}}}};
 }
 
+/// Vertices that name colours from all along two red rows of a palette that is blue otherwise: clients that read a
+/// smaller version of it show purple.
+Fixture palette() {
+  BakedModel model = test::random_model(5, 64, 32);
+  model.chart_tangents.clear();
+  model.normals.clear();
+  model.unlit = model.palette = true;
+  model.colour = plain_image(8, {0, 0, 255}, ColourSpace::srgb);
+  for (std::size_t i = 3 * 8; i < 3 * 8 * 3; i += 3) {
+    model.colour->texels[i] = 255;
+    model.colour->texels[i + 2] = 0;
+  }
+  model.grid.uv_bits = 4;
+  for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f)
+    for (std::size_t c = 0; c < 3; ++c)
+      model.corner_uvs[f][c] = {float(1 + model.mesh.triangles[f][c] * 5 % 14) * (1.f / 15), 4 * (1.f / 15)};
+  return {"palette", model, {{"light", {0, 0, 1}}, {"pixels", {pixel(0, 0, {255, 0, 0}), pixel(0.5, 0.3, {255, 0, 0})}}}};
+}
+
 /// A cube of linear colour 0.2 (124 in sRGB) without any map.
 Fixture cube(std::string name, V3d const& origin) {
   BakedModel model;
@@ -173,7 +192,7 @@ int main(int count, char** arguments) {
   }
   std::filesystem::path const folder = arguments[1];
   std::vector<Fixture> fixtures{
-      unlit(), cut_out(), occluded(), charts(), painted(), painted_facets(), cube("cube", {0, 0, 0}), cube("far_cube", {4e6, -5e5, 3e6 + 0.125})};
+      unlit(), cut_out(), occluded(), charts(), painted(), painted_facets(), palette(), cube("cube", {0, 0, 0}), cube("far_cube", {4e6, -5e5, 3e6 + 0.125})};
   for (Chart const& chart : kCharts)
     for (bool flat : {false, true}) fixtures.push_back(tilted(chart, flat));
   Json expected = Json::array();
