@@ -35,7 +35,7 @@ ByteModel::ByteModel(Recipe const& recipe, std::span<Trial const> history)
     if (trial.recipe.painting != recipe.painting || std::isinf(trial.error)) continue;
     double const bits = expected_bytes_per_triangle(recipe) / expected_bytes_per_triangle(trial.recipe);
     per_triangle_ = bytes_per_triangle(trial) * bits;
-    if (trial.map_bytes > 0)
+    if (recipe.painting == Painting::map && trial.map_bytes > 0)
       map_ = double(trial.map_bytes) * expected_map_bytes(recipe) / expected_map_bytes(trial.recipe);
   }
 }

@@ -279,7 +279,7 @@ class Search {
       std::optional<std::size_t> const winner = best_within(subject_, options_, history_.first(answered_));
       if (!winner || options_.max_error > 0) return {};
       Trial const& trial = history_[*winner];
-      if (trial.map_bytes == 0 || !is_whole(trial) || double(trial.bytes) > kFull * ceiling()) return {};
+      if (trial.recipe.painting != Painting::map || !is_whole(trial) || double(trial.bytes) > kFull * ceiling()) return {};
       double const room = (kFill * ceiling() - double(trial.bytes) + double(trial.map_bytes)) / double(trial.map_bytes);
       asked_ = trial.recipe;
       asked_.texture = std::min(8192, int(asked_.texture * std::sqrt(std::min(room, 4.0))));

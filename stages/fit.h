@@ -61,7 +61,7 @@ struct Recipe {
   Painting painting = Painting::none;
   double colour_weight = 0;  ///< of colour in the quadrics, see progression.h
   int position_bits = 10;
-  int colour_bits = 6;       ///< of each colour per vertex
+  int colour_bits = 5;       ///< of each of a colour's two numbers per vertex, see palette.h
   double smoothing = 0.1;    ///< of colours per vertex, see paint.h
   int texture = 256;         ///< texels
   int map_quality = 50;      ///< of 100
