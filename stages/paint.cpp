@@ -9,12 +9,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace vitrine {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kGrain = 256;
+
+/// With more than this off the palette's plane, as root of the mean square, hues are lost that one sees.
+constexpr double kMostOffPalette = 0.03;
 
 /// What the original shows closest to each vertex that `fit` has nothing for.
 template <class Read>
@@ -68,8 +73,7 @@ void store_colours(std::vector<V3f> const& srgb, BakedModel& model) {
   model.alpha = AlphaMode::opaque;
 }
 
-void store_palette(std::vector<V3f> const& srgb, BakedModel& model) {
-  Palette palette = make_palette(srgb, model.grid.colour_bits);
+void store_palette(Palette palette, BakedModel& model) {
   model.grid.uv_bits = model.grid.colour_bits;
   model.corner_uvs.reserve(model.mesh.triangles.size());
   for (auto const& [a, b, c] : model.mesh.triangles)
@@ -109,7 +113,12 @@ BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, Sur
   if (original.surface.coloured()) {
     model.grid.colour_bits = options.colour_bits;
     std::vector<V3f> const colours = fitted_colours(target.mesh, original, samples, options.smoothing);
-    (options.palette ? store_palette : store_colours)(colours, model);
+    std::optional<Palette> palette;
+    if (options.palette) palette = make_palette(colours, options.colour_bits);
+    if (palette && palette->off < kMostOffPalette)
+      store_palette(*std::move(palette), model);
+    else
+      store_colours(colours, model);
     store_coverage(samples, original, model);
   }
   if (options.normals && !model.unlit) {

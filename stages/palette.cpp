@@ -21,6 +21,7 @@ constexpr int kTexels = 8;  // a side
 struct Plane {
   V3d corner{0, 0, 0}, along{1, 0, 0}, across{0, 1, 0};  ///< directions: unit, orthogonal
   double length = 0, width = 0;
+  double off = 0;  ///< of the colours, see Palette::off
 };
 
 V3d axis(Eigen::Vector3d const& v) {
@@ -43,6 +44,7 @@ Plane plane_of(std::span<V3f const> colours) {
   plane.corner = mean + plane.along * box.min.x + plane.across * box.min.y;
   plane.length = box.max.x - box.min.x;
   plane.width = box.max.y - box.min.y;
+  plane.off = std::sqrt(std::max(0.0, solver.eigenvalues()[0]) / (3 * double(colours.size())));
   return plane;
 }
 
@@ -103,7 +105,7 @@ class Shown {
 Palette make_palette(std::span<V3f const> colours, int bits) {
   Plane const plane = plane_of(colours);
   Layout const layout(plane, bits);
-  Palette palette{picture(plane, layout), {}};
+  Palette palette{picture(plane, layout), plane.off, {}};
   Shown const shown(palette.image);
   int const side = layout.last + 1;
   std::vector<V3f> decoded(std::size_t(side) * side, V3f(-1));  // by code, as they are asked for

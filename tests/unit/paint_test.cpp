@@ -109,6 +109,21 @@ TEST(Paint, ColoursDecodeExactlyAsPainted) {
   }
 }
 
+TEST(Paint, HuesAllAroundNeedRedGreenAndBlue) {
+  auto const three_hues = [](bool one_brightness) {
+    SourceModel model = test::plain_model(test::grid(24, 24));
+    for (V3f const& p : model.mesh.positions) {
+      int const third = int(p.x / 8.5f);
+      model.colours.push_back(code(V3f(third == 0, third == 1, third == 2) * (one_brightness ? 0.5f : p.z / 24)));
+    }
+    return painted(model);
+  };
+  EXPECT_TRUE(three_hues(true).palette) << "they lie in a plane";
+  BakedModel const all = three_hues(false);
+  EXPECT_FALSE(all.palette);
+  EXPECT_THAT(all.colours, testing::Not(testing::IsEmpty()));
+}
+
 TEST(Paint, BlendsByTheMeanAndCannotCutOut) {
   SourceModel model = test::painted_model(test::sphere());
   for (Rgba16& c : model.colours) c[3] = 65535 / 4;

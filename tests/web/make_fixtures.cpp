@@ -111,7 +111,7 @@ Fixture painted_facets() {
 /// Vertices that name colours from all along two red rows of a palette that is blue otherwise: clients that read a
 /// smaller version of it show purple.
 Fixture palette() {
-  BakedModel model = test::random_model(5, 64, 32);
+  BakedModel model = test::random_model(5, 160, 80);
   model.chart_tangents.clear();
   model.normals.clear();
   model.unlit = model.palette = true;
@@ -123,7 +123,7 @@ Fixture palette() {
   model.grid.uv_bits = 4;
   for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f)
     for (std::size_t c = 0; c < 3; ++c)
-      model.corner_uvs[f][c] = {float(1 + model.mesh.triangles[f][c] * 5 % 14) * (1.f / 15), 4 * (1.f / 15)};
+      model.corner_uvs[f][c] = {float(model.mesh.triangles[f][c] % 2 ? 14 : 1) * (1.f / 15), 4 * (1.f / 15)};
   return {"palette", model, {{"light", {0, 0, 1}}, {"pixels", {pixel(0, 0, {255, 0, 0}), pixel(0.5, 0.3, {255, 0, 0})}}}};
 }
 
