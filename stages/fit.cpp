@@ -69,7 +69,8 @@ class Search {
 
   Answer explore() {
     for (auto part : {&Search::start, &Search::choose_painting, &Search::choose_colour_quadrics, &Search::choose_texture,
-                      &Search::choose_quality, &Search::choose_shading, &Search::choose_bits, &Search::choose_colours})
+                      &Search::choose_quality, &Search::choose_shading, &Search::choose_bits,
+                      &Search::reconsider_shading, &Search::choose_colours})
       if ((this->*part)() == Answer::none) return Answer::none;
     return Answer::worse;
   }
@@ -121,6 +122,11 @@ class Search {
   Answer choose_shading() {
     if ((aim() < 7000 && !is_whole(history_[best_])) || best().shading == Shading::smooth) return Answer::worse;
     return ask_with([](Recipe& r) { r.shading = Shading::smooth; });
+  }
+
+  /// Normals cannot pay while coarse places spoil the surface.
+  Answer reconsider_shading() {
+    return best().position_bits > Recipe{}.position_bits + 1 ? choose_shading() : Answer::worse;
   }
 
   Answer choose_bits() {
