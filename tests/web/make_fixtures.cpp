@@ -200,7 +200,7 @@ int main(int count, char** arguments) {
     for (Profile profile : {Profile::web, Profile::plain, Profile::meshopt}) {
       std::string const file =
           fixture.name + "." + std::string(EnumNames<Profile>::names[static_cast<std::size_t>(profile)]) + ".glb";
-      io::publish_file(folder / file, io::encode(fixture.model, fixture.name, {profile, 90, 90}).glb);
+      io::publish_file(folder / file, io::encode(fixture.model, fixture.name, {.profile = profile, .colour_quality = 90, .normal_quality = 90}).glb);
       Json entry = fixture.expect;
       entry["file"] = file;
       entry["centre"] = {fixture.model.origin.x, fixture.model.origin.y, fixture.model.origin.z};
