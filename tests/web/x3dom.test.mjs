@@ -56,6 +56,7 @@ async function difference(model, picture) {
   return judge.evaluate(([p, g]) => window.against(p, g), [`data:image/png;base64,${picture}`, glb]);
 }
 
+const painted = (model) => JSON.parse(fs.readFileSync(path.join(gallery, 'report.json'), 'utf8')).rows.find((row) => row.thumb.includes(model)).source.coloured;
 const address = (model) => `${server.url}/some/where/models/${model}/x3d/index.html`;
 const errors = new Map();
 
@@ -78,7 +79,7 @@ test('normal maps are made for the frame of X3DOM', async () => {
     await route.fulfill({ response, body: (await response.text()).replace('normalBias="-1 1 1"', 'normalBias="-1 -1 1"') });
   });
   let [right, turned] = [0, 0];
-  for (const model of models.slice(0, 4)) {
+  for (const model of models.filter((name) => !painted(name))) { // where normals are all that is to be seen
     right += errors.get(model);
     turned += (await difference(model, await screenshot(address(model)))).error;
   }
