@@ -19,7 +19,7 @@ constexpr std::string_view kStyle = R"(
 body{margin:0;background:var(--page);color:var(--ink);font:16px/1.5 system-ui,sans-serif}
 main{max-width:1120px;margin:0 auto;padding:24px 16px 64px}
 h1{font-size:1.75rem;line-height:1.2;margin:.5em 0 .3em}h2{font-size:1.3rem;margin:2.2em 0 .6em}h3{font-size:1.05rem;margin:2em 0 .4em}
-p,li{max-width:72ch}a{color:var(--link)}.soft{color:var(--soft)}bdi,h3,caption,figcaption{overflow-wrap:anywhere}
+p,li{max-width:72ch}a{color:var(--link)}.soft{color:var(--soft)}bdi,h3,caption,figcaption{overflow-wrap:break-word}tbody th{max-width:22em}
 .table{overflow-x:auto;margin:1em 0}table{border-collapse:collapse;font-size:.88rem}
 caption{text-align:left;font-weight:600;padding:0 0 .5em}
 th,td{padding:.35em .7em;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}
@@ -97,7 +97,9 @@ std::string made_with(Study const& study) {
                                        setting.options.simplify.triangles, setting.size)
                          : fmt::format("<li>Vitrine&#39;s search for the best file of at most {} KB</li>\n", setting.size);
   }
-  return out + "</ul>\n";
+  return out + "</ul>\n<p>The paper&#39;s choices are those of <code>--preset paper</code>; their bytes are those of the zip for X3DOM, as "
+               "the paper counted. It gave models without colour grey ambient occlusion, so there both the thumbnail and its "
+               "original are drawn with it, and the error is not that of the same pictures as elsewhere on this page.</p>\n";
 }
 
 /// The charts that are about all models.

@@ -9,6 +9,7 @@
 #include "stages/contact_sheet.h"
 #include "stages/parameterize.h"
 #include "tools/printable.h"
+#include "tools/report/table.h"
 
 #include <fmt/format.h>
 
@@ -105,6 +106,8 @@ void add_maps(SourceModel const& thumbnail, Gallery const& gallery, std::vector<
       out.push_back(publish_picture(shown_map(thumbnail.images[use]), gallery.folder, fmt::format("paper/figure1-{}.png", name), caption));
 }
 
+std::string counted(std::size_t triangles) { return report::shown(Cell(double(triangles), 0)) + " triangles"; }
+
 std::vector<Picture> stages_of(Gallery const& gallery, Model const& model, SurveyedModel const& original) {
   MeasureOptions options;
   options.count = 1;
@@ -119,8 +122,8 @@ std::vector<Picture> stages_of(Gallery const& gallery, Model const& model, Surve
   auto const add = [&](Image const& image, char const* name, std::string caption) {
     out.push_back(publish_picture(image, gallery.folder, fmt::format("paper/figure1-{}.png", name), std::move(caption)));
   };
-  add(view(original, cameras, !model.coloured), "original", fmt::format("the scan: {} triangles", model.triangles));
-  add(view(surveyed(bare(light.mesh)), cameras, true), "simplified", fmt::format("simplified: {} triangles", light.mesh.triangles.size()));
+  add(view(original, cameras, !model.coloured), "original", "the scan: " + counted(model.triangles));
+  add(view(surveyed(bare(light.mesh)), cameras, true), "simplified", "simplified: " + counted(light.mesh.triangles.size()));
   if (model.thumbnail.colour + model.thumbnail.normal > 0)
     add(view(surveyed(chart_coloured(charts)), cameras, false), "charts", fmt::format("cut into {} charts", charts.charts));
   add_maps(thumbnail, gallery, out);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/study.h"
 
+#include "graph/preset.h"
+
 namespace vitrine::report {
 namespace {
 
-constexpr int kPaperTriangles = 3000;
 constexpr int kCeilings[] = {4, 8, 16, 32};
 
 }  // namespace
@@ -12,14 +13,8 @@ constexpr int kCeilings[] = {4, 8, 16, 32};
 std::vector<Setting> settings(std::vector<int> const& textures, graph::ModelOptions const& gallery) {
   std::vector<Setting> out;
   for (int texture : textures) {
-    Setting paper{"paper-" + std::to_string(texture), true, texture, {}};
-    paper.options.simplify.triangles = kPaperTriangles;
-    paper.options.simplify.decimator = Decimator::openmesh;
-    paper.options.pack.packing = Packing::boxes;
+    Setting paper{"paper-" + std::to_string(texture), true, texture, graph::with(graph::Preset::paper, {})};
     paper.options.pack.texture = texture;
-    paper.options.bake.samples = 1;
-    paper.options.encode.profile = Profile::plain;
-    paper.options.encode.colour_quality = 90;
     out.push_back(std::move(paper));
   }
   for (int kilobytes : kCeilings) {

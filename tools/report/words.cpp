@@ -122,8 +122,7 @@ void say_coverage(Study const& study, Sentences& out) {
     if (auto const r = correlation(coverage, bytes)) text += fmt::format("{}{:.2f} as {}", text.empty() ? "" : ", ", *r, codec_name(codec));
   }
   if (!text.empty())
-    out.push_back("The more of its pictures an object covers, the more a series of it weighs: correlation of coverage and bytes of 8 views " +
-                  text + ".");
+    out.push_back("Screen coverage and bytes of a series of 8 views go together with a correlation of " + text + ".");
 }
 
 }  // namespace
