@@ -7,6 +7,7 @@
 #include "graph/study.h"
 #include "io/archive.h"
 #include "stages/measure.h"
+#include "stages/own_texture.h"
 #include "stages/progression.h"
 #include "stages/surface_samples.h"
 
@@ -30,6 +31,7 @@ struct Original {
 struct Levels {
   std::optional<SimplifiedMesh> fixed;  ///< the one that the options ask for
   std::optional<Progression> plain, coloured;
+  std::optional<TexturedMesh> textured;  ///< under the original's own texture, where that can be kept
 };
 
 /// One model on its way. Only the node that holds the message touches it; what it points to is immutable.

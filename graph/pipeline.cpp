@@ -172,7 +172,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
       std::get<0>(out).try_put(in);
   });
   auto paint_ = node.operator()<SimplifiedMesh, BakedModel>(
-      flow::unlimited, "paint", [](In<SimplifiedMesh> const& in, Job& job) { return paint_vertices(*in, job); });
+      flow::unlimited, "paint", [](In<SimplifiedMesh> const& in, Job& job) { return paint_model(*in, job); });
   auto segment_ = node.operator()<SimplifiedMesh, ChartedMesh>(
       flow::unlimited, "segment",
       [&](In<SimplifiedMesh> const& in, Job&) { return segment(in->mesh, options.segment); });

@@ -58,7 +58,7 @@ json recipe_json(Recipe const& r) {
               {"positionBits", r.position_bits},
               {"colourWeight", r.colour_weight}};
   if (r.painting == Painting::vertices) out.update({{"colourBits", r.colour_bits}, {"smoothing", r.smoothing}});
-  if (r.painting == Painting::map) out.update({{"texture", r.texture}, {"mapQuality", r.map_quality}});
+  if (is_textured(r)) out.update({{"texture", r.texture}, {"mapQuality", r.map_quality}});
   return out;
 }
 

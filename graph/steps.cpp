@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr int kPosterQuality = 80;
 constexpr std::size_t kSamples = 120'000;  ///< of the surface, for whatever is fitted to it
+/// Atlases of larger originals are those of scans: seams hold too many triangles.
+constexpr std::size_t kMostOwnTriangles = 100'000;
 constexpr double kColourWeight = 0.02;  ///< of the one coloured progression: the recipe says whether it is used
 
 std::string ending(std::string const& path) {
@@ -44,6 +46,8 @@ std::vector<Reference> judges(SurveyedModel const& model, ModelOptions const& op
     all.push_back(reference(model, measure));
   return all;
 }
+
+int longer_side(Image const& image) { return std::max(image.width, image.height); }
 
 bool has_textures(SourceModel const& model) { return !model.uvs.empty() && !model.images.empty(); }
 
@@ -145,6 +149,8 @@ Levels simplify_model(Original const& original, ModelOptions const& options) {
     return levels;
   }
   levels.plain.emplace(welded, options.simplify);
+  bool const few = original.model.model->mesh.triangles.size() <= kMostOwnTriangles;
+  if (few && !options.encode.x3dom) levels.textured = own_texture(*original.model.model);
   if (original.model.surface.coloured()) {
     TriMesh const finest = levels.plain->at(Progression::kFinest).mesh;
     std::vector<V3f> const colours = colours_near(original.model, finest);
@@ -159,6 +165,7 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
   subject.triangles = model.model->mesh.triangles.size();
   subject.coloured = model.surface.coloured();
   subject.textured = subject.coloured && has_textures(*model.model);
+  if (subject.textured && levels.textured) subject.own_texture = longer_side(own_image(*model.model, *levels.textured));
   bool const occluded = options.bake.occlusion != Occlusion::none && !has_colour(*model.model);
   if (double const limit = deviation_limit(original, options); limit > 0 && levels.plain)
     subject.fixed_triangles = fewest_within(limit, *levels.plain, original.samples);
@@ -172,17 +179,21 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
 SimplifiedMesh shape_model(Job& job) {
   Levels const& levels = *job.levels;
   Recipe const& recipe = job.study->recipe();
-  SimplifiedMesh light = levels.fixed               ? *levels.fixed
-                         : recipe.colour_weight > 0 ? levels.coloured->at(recipe.triangles)
-                                                    : levels.plain->at(recipe.triangles);
+  SimplifiedMesh light = levels.fixed                      ? *levels.fixed
+                         : recipe.painting == Painting::own ? simplify(*levels.textured, recipe.triangles)
+                         : recipe.colour_weight > 0         ? levels.coloured->at(recipe.triangles)
+                                                            : levels.plain->at(recipe.triangles);
   job.row.simplify_error = light.error;
   if (!levels.fixed && recipe.shading == Shading::facets)
     light.mesh = refit(light.mesh, job.original->samples);
   return light;
 }
 
-BakedModel paint_vertices(SimplifiedMesh const& light, Job& job) {
+BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   Recipe const& recipe = job.study->recipe();
+  if (recipe.painting == Painting::own)
+    return wear_own_texture(light, *job.levels->textured, job.original->model, job.original->samples,
+                            {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth});
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
   QuantizedMesh const placed =
       recipe.shading == Shading::facets

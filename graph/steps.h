@@ -27,7 +27,8 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
 // ---- One trial: by the job's study
 
 SimplifiedMesh shape_model(Job& job);
-BakedModel paint_vertices(SimplifiedMesh const& light, Job& job);
+/// What needs no atlas: colours per vertex, the original's own texture, or neither.
+BakedModel paint_model(SimplifiedMesh const& light, Job& job);
 Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job);
 BakedModel bake_maps(Atlas const& atlas, Job& job);
 EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job);

@@ -72,6 +72,32 @@ Json write_palette(GltfDocument& document, Image const& palette, std::size_t& by
   return map;
 }
 
+int gl_name(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::mirror:
+      return 33648;
+    case Wrap::clamp:
+      return 33071;
+    default:
+      return 10497;
+  }
+}
+
+/// The original's own texture may repeat, and be read elsewhere than in the unit square.
+Json write_colour_map(GltfDocument& document, BakedModel const& model, EncodeOptions const& options, std::size_t& bytes) {
+  Json map = write_map(document, encode_colour(*model.colour, options), bytes);
+  if (model.wrap_u != Wrap::repeat || model.wrap_v != Wrap::repeat) {
+    document.json["samplers"][0] = {{"wrapS", gl_name(model.wrap_u)}, {"wrapT", gl_name(model.wrap_v)}};
+    document.json["textures"][map["index"].get<std::size_t>()]["sampler"] = 0;
+  }
+  if (model.uv_offset != V2f(0, 0) || model.uv_scale != V2f(1, 1)) {
+    document.use_extension("KHR_texture_transform", Need::required);
+    auto const pair = [](V2f const& v) { return Json::array({number(v.x), number(v.y)}); };
+    map["extensions"]["KHR_texture_transform"] = {{"offset", pair(model.uv_offset)}, {"scale", pair(model.uv_scale)}};
+  }
+  return map;
+}
+
 Json write_material(GltfDocument& document, BakedModel const& model, EncodeOptions const& options,
                     EncodedThumbnail& sizes) {
   Json pbr = {{"metallicFactor", 0}};
@@ -79,7 +105,7 @@ Json write_material(GltfDocument& document, BakedModel const& model, EncodeOptio
     pbr["baseColorFactor"] = std::move(factor);
   if (model.colour)
     pbr["baseColorTexture"] = model.palette ? write_palette(document, *model.colour, sizes.colour)
-                                            : write_map(document, encode_colour(*model.colour, options), sizes.colour);
+                                            : write_colour_map(document, model, options, sizes.colour);
   Json material = {{"pbrMetallicRoughness", std::move(pbr)}};
   if (model.normal)
     material["normalTexture"] = write_map(document, encode_normal(*model.normal, options), sizes.normal);

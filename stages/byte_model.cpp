@@ -11,12 +11,12 @@ double expected_bytes_per_triangle(Recipe const& recipe) {
   double bytes = 0.25 + 0.1 * recipe.position_bits;
   if (recipe.shading == Shading::smooth) bytes += 0.45;
   if (recipe.painting == Painting::vertices) bytes += 0.07 * recipe.colour_bits;
-  if (recipe.painting == Painting::map) bytes += 0.7;
+  if (is_textured(recipe)) bytes += 0.7;
   return bytes;
 }
 
 double expected_map_bytes(Recipe const& recipe) {
-  if (recipe.painting != Painting::map) return 0;
+  if (!is_textured(recipe)) return 0;
   return recipe.texture * double(recipe.texture) * expected_bytes_per_texel(recipe.map_quality);
 }
 
@@ -35,7 +35,7 @@ ByteModel::ByteModel(Recipe const& recipe, std::span<Trial const> history)
     if (trial.recipe.painting != recipe.painting || std::isinf(trial.error)) continue;
     double const bits = expected_bytes_per_triangle(recipe) / expected_bytes_per_triangle(trial.recipe);
     per_triangle_ = bytes_per_triangle(trial) * bits;
-    if (recipe.painting == Painting::map && trial.map_bytes > 0)
+    if (is_textured(recipe) && trial.map_bytes > 0)
       map_ = double(trial.map_bytes) * expected_map_bytes(recipe) / expected_map_bytes(trial.recipe);
   }
 }

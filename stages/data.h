@@ -102,6 +102,7 @@ struct SimplifiedMesh {
   TriMesh mesh;
   float error = 0;  ///< root of the largest quadric error accepted, as a share of the bounding box's diagonal
   StopReason stop = StopReason::target_reached;
+  std::vector<CornerUvs> corner_uvs{};  ///< f, of the original's own texture where that is kept; else empty
 };
 
 /// c charts; every face in exactly one; each chart a topological disk, connected over manifold edges.
@@ -156,7 +157,9 @@ struct BakeStatistics {
 /// Everything that a thumbnail shows.
 struct BakedModel {
   TriMesh mesh;
-  std::vector<CornerUvs> corner_uvs;  ///< f; empty when there is no map
+  std::vector<CornerUvs> corner_uvs;  ///< f, in the unit square; empty when there is no map
+  V2f uv_offset{0, 0}, uv_scale{1, 1};  ///< `colour` is read at offset + scale * uv; others than these for a texture of the original alone
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   std::vector<V3f> normals;           ///< n, unit; empty: drawn flat, never with a normal map
   std::vector<V3f> colours;           ///< n, linear, in [0,1], multiplied by base_colour; empty: none
   std::vector<std::uint32_t> face_charts; ///< f, index into chart_tangents; empty when there is no normal map

@@ -20,6 +20,7 @@ constexpr double kFull = 0.97;      ///< of the ceiling: a file this large leave
 constexpr double kFirstKb = 8;      ///< where a search by error begins
 constexpr double kMiss = 0.12;      ///< relative: a trial this far from what was aimed at is asked again
 constexpr double kMapShare = 0.5;   ///< of the bytes: a first map has no more
+constexpr int kLargestTexture = 8192;
 constexpr int kFewest = 40;         ///< triangles
 constexpr int kSteps = 3;           ///< in one direction
 constexpr int kLandings = 6;        ///< trials that may be spent on meeting the limit
@@ -91,9 +92,20 @@ class Search {
   }
 
   Answer choose_painting() {
-    if (!subject_.textured || best().painting == Painting::map) return Answer::worse;
+    for (Painting painting : {Painting::map, Painting::own})
+      if (offers(painting) && try_texture(painting) == Answer::none) return Answer::none;
+    return Answer::worse;
+  }
+
+  bool offers(Painting painting) const {
+    if (painting == Painting::own) return subject_.own_texture > 0;
+    return subject_.textured && best().painting != Painting::map;
+  }
+
+  Answer try_texture(Painting painting) {
     Recipe recipe = best();
-    recipe.painting = Painting::map;
+    recipe.painting = painting;
+    recipe.shading = Shading::facets;
     recipe.texture = first_texture();
     if (ask(recipe) == Answer::none) return Answer::none;
     recipe = asked_;  // its size of the map
@@ -102,19 +114,19 @@ class Search {
   }
 
   Answer choose_colour_quadrics() {
-    if (!subject_.coloured) return Answer::worse;
+    if (!subject_.coloured || best().painting == Painting::own) return Answer::worse;
     return ask_with([](Recipe& r) { r.colour_weight = 0.02; });
   }
 
   Answer choose_texture() {
-    if (best().painting != Painting::map) return Answer::worse;
-    return walk(&Search::answer_to, [](Recipe& r) { r.texture = r.texture * 5 / 4; },
+    if (!is_textured(best())) return Answer::worse;
+    return walk(&Search::ask_map, [](Recipe& r) { r.texture = r.texture * 5 / 4; },
                 [](Recipe& r) { r.texture = r.texture * 4 / 5; });
   }
 
   Answer choose_quality() {
-    if (best().painting != Painting::map) return Answer::worse;
-    return walk(&Search::answer_to, [](Recipe& r) { r.map_quality -= r.map_quality / 3; },
+    if (!is_textured(best())) return Answer::worse;
+    return walk(&Search::ask_map, [](Recipe& r) { r.map_quality -= r.map_quality / 3; },
                 [](Recipe& r) { r.map_quality += (100 - r.map_quality) / 3; });
   }
 
@@ -172,6 +184,7 @@ class Search {
   /// cannot be compared.
   Answer ask(Recipe recipe) {
     std::size_t const before = best_;
+    recipe.texture = std::min(recipe.texture, largest_texture(recipe));
     recipe.triangles = affordable(recipe);
     Answer answer = answer_to(recipe);
     if (answer == Answer::none) return answer;
@@ -184,6 +197,16 @@ class Search {
     recipe.triangles = triangles;
     answer = answer_to(recipe);
     return answer == Answer::none ? answer : best_ == before ? Answer::worse : Answer::better;
+  }
+
+  /// Another map on the same shape.
+  Answer ask_map(Recipe recipe) {
+    recipe.texture = std::min(recipe.texture, largest_texture(recipe));
+    return is_tried(recipe) ? Answer::worse : answer_to(recipe);
+  }
+
+  int largest_texture(Recipe const& recipe) const {
+    return recipe.painting == Painting::own ? subject_.own_texture : kLargestTexture;
   }
 
   int affordable(Recipe const& recipe) const {
@@ -279,16 +302,23 @@ class Search {
     return std::clamp(int(std::min(from.recipe.triangles * factor, 1e6)), low, high);
   }
 
-  /// An original of few triangles leaves bytes for a larger map.
+  bool is_tried(Recipe const& recipe) const {
+    auto const tried = history_.first(answered_);
+    return std::any_of(tried.begin(), tried.end(), [&](Trial const& trial) { return trial.recipe == recipe; });
+  }
+
+  /// An original of few triangles leaves bytes for a larger map, or a finer one of its own texture.
   std::optional<Recipe> fill_up() {
     for (int attempt = 0; attempt < 2; ++attempt) {
       std::optional<std::size_t> const winner = best_within(subject_, options_, history_.first(answered_));
       if (!winner || options_.max_error > 0) return {};
       Trial const& trial = history_[*winner];
-      if (trial.recipe.painting != Painting::map || !is_whole(trial) || double(trial.bytes) > kFull * ceiling()) return {};
+      if (!is_textured(trial.recipe) || !is_whole(trial) || double(trial.bytes) > kFull * ceiling()) return {};
       double const room = (kFill * ceiling() - double(trial.bytes) + double(trial.map_bytes)) / double(trial.map_bytes);
       asked_ = trial.recipe;
-      asked_.texture = std::min(8192, int(asked_.texture * std::sqrt(std::min(room, 4.0))));
+      asked_.texture = std::min(largest_texture(asked_), int(asked_.texture * std::sqrt(std::min(room, 4.0))));
+      if (asked_.texture == trial.recipe.texture) asked_.map_quality += (100 - asked_.map_quality) / 2;
+      if (is_tried(asked_)) return {};
       if (answered_ == history_.size()) return asked_;
       ++answered_;
     }
@@ -308,6 +338,8 @@ std::string text(double value) {
 }
 
 }  // namespace
+
+bool is_textured(Recipe const& recipe) { return recipe.painting == Painting::map || recipe.painting == Painting::own; }
 
 Trial failed_trial(Recipe const& recipe) {
   constexpr double worst = std::numeric_limits<double>::infinity();

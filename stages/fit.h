@@ -47,11 +47,12 @@ struct EnumNames<Shading> {
 enum class Painting {
   none,      ///< one colour, or none
   vertices,  ///< a colour per vertex
-  map        ///< a texture over an atlas of charts
+  map,       ///< a texture over an atlas of charts
+  own        ///< the original's own texture, see own_texture.h
 };
 template <>
 struct EnumNames<Painting> {
-  static constexpr std::array<std::string_view, 3> names{"none", "vertices", "map"};
+  static constexpr std::array<std::string_view, 4> names{"none", "vertices", "map", "own"};
 };
 
 /// All that a trial decides.
@@ -63,10 +64,12 @@ struct Recipe {
   int position_bits = 10;
   int colour_bits = 5;       ///< of each of a colour's two numbers per vertex, see palette.h
   double smoothing = 0.1;    ///< of colours per vertex, see paint.h
-  int texture = 256;         ///< texels
+  int texture = 256;         ///< texels of the longer side
   int map_quality = 50;      ///< of 100
   bool operator==(Recipe const&) const = default;
 };
+
+bool is_textured(Recipe const& recipe);
 
 /// What the search knows of an original.
 struct Subject {
@@ -74,6 +77,7 @@ struct Subject {
   bool coloured = false;      ///< colour varies over the surface
   bool textured = false;      ///< and finer than its vertices
   std::size_t fixed_triangles = 0;  ///< by --max-deviation or --max-px: the fewest that keep to it; 0: free
+  int own_texture = 0;        ///< texels of the longer side of the texture that can be kept; 0: none can
   bool needs_map = false;     ///< transparency or occlusion, which only a texture can hold
 };
 

@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/letterbox.h"
 
+#include "stages/area_average.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace vitrine {
 namespace {
-
-/// A texel of a longer line lies by this share of its mean under a texel of the shorter line.
-struct Overlap {
-  std::size_t to, from;
-  float share;
-};
-
-std::vector<Overlap> overlaps(int length, int count) {
-  double const scale = double(length) / count;
-  std::vector<Overlap> all;
-  for (int to = 0; to < count; ++to) {
-    double const low = to * scale, high = (to + 1) * scale;
-    for (int from = int(low), end = std::min(length, int(std::ceil(high))); from < end; ++from) {
-      double const share = (std::min(high, from + 1.0) - std::max(low, double(from))) / scale;
-      if (share > 0) all.push_back({std::size_t(to), std::size_t(from), float(share)});
-    }
-  }
-  return all;
-}
 
 /// Adds a row of the picture, laid on white, to three sums for each texel of a shorter row.
 void add_row(Image const& picture, std::size_t y, std::vector<Overlap> const& columns, float share, float* sums) {

@@ -95,6 +95,8 @@ void store_coverage(SurfaceSamples const& samples, SurveyedModel const& original
   model.base_colour[3] = float(mean);
 }
 
+}  // namespace
+
 std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const& original,
                                 SurfaceSamples const& samples, PaintOptions const& options) {
   VertexFit const fit(target.mesh, samples);
@@ -104,8 +106,6 @@ std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const
   for (V3f& normal : normals) normal = quantize_normal(normal, options.normal_bits);
   return normals;
 }
-
-}  // namespace
 
 BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
                  PaintOptions const& options) {

@@ -41,4 +41,8 @@ struct PaintOptions {
 BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
                  PaintOptions const& options = {});
 
+/// Normals per vertex of the mesh, as the file stores them: fitted to those that the original is drawn with.
+std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
+                                PaintOptions const& options);
+
 }  // namespace vitrine

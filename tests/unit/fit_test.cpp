@@ -84,6 +84,15 @@ TEST(Fit, SpendsOnTheMapWhatTheOriginalsFewTrianglesLeave) {
   EXPECT_GT(best.recipe.texture, 256);
 }
 
+TEST(Fit, KeepsTheOriginalsTextureWhereThatIsBestAndNoLargerThanItIs) {
+  World world;
+  world.penalty = [](Recipe const& r) { return r.painting == Painting::own ? 0.1 : 1; };
+  Subject const knot{.triangles = 2880, .coloured = true, .textured = true, .own_texture = 64};
+  for (Trial const& trial : search(knot, {.max_kb = 16}, world)) EXPECT_TRUE(trial.recipe.painting != Painting::own || trial.recipe.texture <= 64);
+  EXPECT_EQ(winner(knot, {.max_kb = 16}, world).recipe.painting, Painting::own);
+  for (Trial const& trial : search(kPhoto, {.max_kb = 16}, world)) EXPECT_NE(trial.recipe.painting, Painting::own);
+}
+
 TEST(Fit, KeepsWhatCutsOutInAMap) {
   Subject const leaf{.triangles = 50'000, .coloured = true, .textured = true, .needs_map = true};
   for (Trial const& trial : search(leaf, {.max_kb = 8}, {})) EXPECT_EQ(trial.recipe.painting, Painting::map);
