@@ -23,7 +23,7 @@ p,li{max-width:72ch}a{color:var(--link)}.soft{color:var(--soft)}bdi,h3,caption,f
 .table{overflow-x:auto;margin:1em 0}table{border-collapse:collapse;font-size:.88rem}
 caption{text-align:left;font-weight:600;padding:0 0 .5em}
 th,td{padding:.35em .7em;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}
-thead th{vertical-align:bottom;font-weight:600}tbody th{font-weight:400;min-width:8em}
+thead th{vertical-align:bottom;font-weight:600}tbody th{font-weight:400;min-width:8em}tbody td{white-space:nowrap}
 .number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}.summary th,.summary td{font-weight:600;border-top:2px solid var(--line)}
 figure{margin:1.2em 0}.scroll{overflow-x:auto}.scroll svg{display:block;min-width:560px;max-width:100%;height:auto}
 .files{font-size:.85rem;margin:.2em 0}

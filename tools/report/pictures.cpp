@@ -39,9 +39,21 @@ std::shared_ptr<CleanModel const> load(io::ArchiveEntry const& entry, Model cons
 
 SurveyedModel surveyed(SourceModel model) { return survey(std::make_shared<SourceModel const>(std::move(model))); }
 
+/// What the certificate was measured with.
+MeasureOptions measured(Model const& model) {
+  Json const& measure = model.certificate.at("measure");
+  MeasureOptions options;
+  options.count = measure.at("views");
+  options.size = measure.at("size");
+  options.occlusion = graph::options_from_json(model.certificate.at("options")).bake.occlusion;
+  return options;
+}
+
 SourceModel read_thumbnail_file(fs::path const& gallery, Model const& model) {
   fs::path const folder = gallery / "models" / model.slug;
-  return io::read_model(".glb", io::map_file(folder / "thumb.glb"), io::resolve_in(folder));
+  io::ReadOptions options;
+  options.occlusion_maps = measured(model).occlusion == Occlusion::occlusion;
+  return io::read_model(".glb", io::map_file(folder / "thumb.glb"), io::resolve_in(folder), options);
 }
 
 // ---- Figure 5
@@ -49,11 +61,7 @@ SourceModel read_thumbnail_file(fs::path const& gallery, Model const& model) {
 
 /// The turntable's first view and, below, the thumbnail's worst.
 Picture side_by_side(Gallery const& gallery, Model const& model, SurveyedModel const& original) {
-  MeasureOptions options;
-  Json const& measure = model.certificate.at("measure");
-  options.count = measure.at("views");
-  options.size = measure.at("size");
-  Reference seen = viewpoints(original, options);
+  Reference seen = viewpoints(original, measured(model));
   std::size_t const worst = std::min(model.thumbnail.worst_view, seen.cameras.size() - 1);
   seen.cameras = worst == 0 ? std::vector{seen.cameras[0]} : std::vector{seen.cameras[0], seen.cameras[worst]};
   Image const sheet = contact_sheet(pictures(original, seen), pictures(surveyed(read_thumbnail_file(gallery.folder, model)), seen));
@@ -106,6 +114,8 @@ void add_maps(SourceModel const& thumbnail, Gallery const& gallery, std::vector<
       out.push_back(publish_picture(shown_map(thumbnail.images[use]), gallery.folder, fmt::format("paper/figure1-{}.png", name), caption));
 }
 
+bool has_atlas(Model const& model) { return model.certificate.at("mesh").at("charts") > 0; }
+
 std::string counted(std::size_t triangles) { return report::shown(Cell(double(triangles), 0)) + " triangles"; }
 
 std::vector<Picture> stages_of(Gallery const& gallery, Model const& model, SurveyedModel const& original) {
@@ -124,18 +134,18 @@ std::vector<Picture> stages_of(Gallery const& gallery, Model const& model, Surve
   };
   add(view(original, cameras, !model.coloured), "original", "the scan: " + counted(model.triangles));
   add(view(surveyed(bare(light.mesh)), cameras, true), "simplified", "simplified: " + counted(light.mesh.triangles.size()));
-  if (model.thumbnail.colour + model.thumbnail.normal > 0)
+  if (has_atlas(model))
     add(view(surveyed(chart_coloured(charts)), cameras, false), "charts", fmt::format("cut into {} charts", charts.charts));
-  add_maps(thumbnail, gallery, out);
+  if (has_atlas(model)) add_maps(thumbnail, gallery, out);
   bool const plain = !model.coloured && thumbnail.materials.front().colour_map.image < 0;
   add(view(surveyed(std::move(thumbnail)), cameras, plain), "thumbnail", fmt::format("the thumbnail: {:.1f} KB", double(model.thumbnail.bytes) / 1000));
   return out;
 }
 
-/// The first model with a colour map, as it shows all stages; else the first with any map, else the first.
+/// The first model with a colour atlas, as it shows all stages; else the first with any atlas, else the first.
 std::size_t subject(std::vector<Model> const& models) {
-  auto const maps = [](Model const& m) { return (m.thumbnail.colour > 0) + (m.thumbnail.colour + m.thumbnail.normal > 0); };
-  auto const less = [&](Model const& a, Model const& b) { return maps(a) < maps(b); };
+  auto const stages = [](Model const& m) { return has_atlas(m) * (m.thumbnail.colour > 0 ? 2 : 1); };
+  auto const less = [&](Model const& a, Model const& b) { return stages(a) < stages(b); };
   return std::size_t(std::max_element(models.begin(), models.end(), less) - models.begin());
 }
 
@@ -161,7 +171,8 @@ Pictures publish_pictures(Study const& study, io::Archive const& archive) {
   Pictures out{gallery.models[shown].title, {}, std::vector<std::optional<Picture>>(gallery.models.size())};
   for (std::size_t m = 0; m < gallery.models.size(); ++m) try {
       auto const clean = load(archive.entries[m], gallery.models[m]);
-      SurveyedModel const original = survey(std::shared_ptr<SourceModel const>(clean, &clean->model));
+      SurveyedModel const original =
+          survey(std::shared_ptr<SourceModel const>(clean, &clean->model), occlusion_rays(measured(gallery.models[m])));
       out.sides[m] = side_by_side(gallery, gallery.models[m], original);
       if (m == shown) out.stages = stages_of(gallery, gallery.models[m], original);
     } catch (...) {
