@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/depth_buffer.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -19,8 +22,8 @@ std::int32_t on_grid(float samples) {
 int first_sample(std::int32_t low) { return (low + kGrid - 1) >> kGridBits; }
 int last_sample(std::int32_t high) { return high >> kGridBits; }
 
-/// Faces up to this many samples across have edges of 32 bits.
-constexpr int kSmall = 63;
+/// Faces up to this many samples across have edges of 32 bits, also at the end of their last tile.
+constexpr int kSmall = 59;
 
 /// Twice the area of a triangle, on one side of an edge positive: linear in the place of its third corner.
 template <class Int>
@@ -35,6 +38,31 @@ struct Edge {
     per_row = dx * kGrid;
   }
 };
+
+template <class Int, class Corner>
+Int twice_area(Corner const& a, Corner const& b, Corner const& c) {
+  return Int(b.x - a.x) * Int(c.y - a.y) - Int(b.y - a.y) * Int(c.x - a.x);
+}
+
+/// Samples that are looked at side by side: most faces of an original lie within so few.
+constexpr int kTile = 4;
+
+/// A bit for each of 4 x 4 samples from the edges' place on, row by row: whether it lies on or within all three.
+unsigned tile_within(Edge<std::int32_t> const& a, Edge<std::int32_t> const& b, Edge<std::int32_t> const& c) {
+  __m256i const columns = _mm256_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3), rows = _mm256_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1);
+  auto const at = [&](Edge<std::int32_t> const& edge) {
+    return _mm256_add_epi32(_mm256_set1_epi32(edge.at),
+                            _mm256_add_epi32(_mm256_mullo_epi32(columns, _mm256_set1_epi32(edge.per_column)),
+                                             _mm256_mullo_epi32(rows, _mm256_set1_epi32(edge.per_row))));
+  };
+  auto const below = [](Edge<std::int32_t> const& edge) { return _mm256_set1_epi32(2 * edge.per_row); };
+  __m256i const ea = at(a), eb = at(b), ec = at(c);
+  __m256i const upper = _mm256_or_si256(_mm256_or_si256(ea, eb), ec);
+  __m256i const lower = _mm256_or_si256(_mm256_or_si256(_mm256_add_epi32(ea, below(a)), _mm256_add_epi32(eb, below(b))),
+                                        _mm256_add_epi32(ec, below(c)));
+  auto const outside = [](__m256i edges) { return unsigned(_mm256_movemask_ps(_mm256_castsi256_ps(edges))); };
+  return ~(outside(upper) | outside(lower) << 8) & 0xffffu;
+}
 
 }  // namespace
 
@@ -52,7 +80,10 @@ DepthBuffer::DepthBuffer(int side)
 bool DepthBuffer::draw(TriMesh const& mesh, Lens const& lens) {
   if (!project(mesh, lens)) return false;
   clear();
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+  constexpr std::size_t kAhead = 8;  // faces, whose samples are fetched while others are drawn
+  std::size_t const faces = mesh.triangles.size();
+  for (std::size_t f = 0; f < faces; ++f) {
+    fetch(corners_[mesh.triangles[std::min(f + kAhead, faces - 1)][0]]);
     Triangle const& t = mesh.triangles[f];
     draw(static_cast<std::uint32_t>(f), corners_[t[0]], corners_[t[1]], corners_[t[2]]);
   }
@@ -83,7 +114,7 @@ void DepthBuffer::clear() {
   if (right_ < left_) return;
   for (int row = top_; row <= bottom_; ++row)
     std::fill_n(&samples_[std::size_t(row) * std::size_t(side_) + std::size_t(left_)], right_ - left_ + 1,
-                Sample{0, kNothing});
+                Sample{0});
 }
 
 void DepthBuffer::draw(std::uint32_t id, Corner const& a, Corner const& b, Corner const& c) {
@@ -94,31 +125,58 @@ void DepthBuffer::draw(std::uint32_t id, Corner const& a, Corner const& b, Corne
   cells.top = std::max(first_sample(low_y), 0), cells.bottom = std::min(last_sample(high_y), side_ - 1);
   if (cells.top > cells.bottom) return;
   if (std::max(high_x - low_x, high_y - low_y) <= kSmall * kGrid)
-    fill<std::int32_t>(id, a, b, c, cells);
+    fill_tiles(id, a, b, c, cells);
   else
-    fill<std::int64_t>(id, a, b, c, cells);
+    fill(id, a, b, c, cells);
 }
 
-template <class Int>
+inline void DepthBuffer::fetch(Corner const& at) const {
+  int const column = std::clamp(at.x >> kGridBits, 0, side_ - 1), row = std::clamp(at.y >> kGridBits, 0, side_ - 1);
+  __builtin_prefetch(&samples_[std::size_t(row) * std::size_t(side_) + std::size_t(column)], 1);
+}
+
+inline void DepthBuffer::put(int column, int row, float nearness, std::uint32_t id) {
+  Sample& sample = samples_[std::size_t(row) * std::size_t(side_) + std::size_t(column)];
+  sample = std::max(sample, Sample{std::bit_cast<std::uint32_t>(nearness)} << 32 | id);
+}
+
 void DepthBuffer::fill(std::uint32_t id, Corner const& a, Corner b, Corner c, Cells const& cells) {
-  auto const& [left, right, top, bottom] = cells;
-  Int area = Int(b.x - a.x) * Int(c.y - a.y) - Int(b.y - a.y) * Int(c.x - a.x);
+  std::int64_t area = twice_area<std::int64_t>(a, b, c);
   if (area == 0) return;
   if (area < 0) std::swap(b, c), area = -area;
-  Edge<Int> across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
+  auto const& [left, right, top, bottom] = cells;
+  Edge<std::int64_t> across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
   float const per_b = (b.nearness - a.nearness) / float(area), per_c = (c.nearness - a.nearness) / float(area);
   for (int row = top; row <= bottom; ++row) {
-    Sample* const samples = &samples_[std::size_t(row) * std::size_t(side_)];
-    Int ea = across_a.at, eb = across_b.at, ec = across_c.at;
+    std::int64_t ea = across_a.at, eb = across_b.at, ec = across_c.at;
     for (int column = left; column <= right; ++column) {
-      if ((ea | eb | ec) >= 0) {
-        float const nearness = a.nearness + per_b * float(eb) + per_c * float(ec);
-        if (nearness >= samples[column].nearness) samples[column] = {nearness, id};
-      }
+      if ((ea | eb | ec) >= 0) put(column, row, a.nearness + per_b * float(eb) + per_c * float(ec), id);
       ea += across_a.per_column, eb += across_b.per_column, ec += across_c.per_column;
     }
     across_a.at += across_a.per_row, across_b.at += across_b.per_row, across_c.at += across_c.per_row;
   }
+}
+
+/// The same for small faces, kTile x kTile samples at once.
+void DepthBuffer::fill_tiles(std::uint32_t id, Corner const& a, Corner b, Corner c, Cells const& cells) {
+  std::int32_t area = twice_area<std::int32_t>(a, b, c);
+  if (area == 0) return;
+  if (area < 0) std::swap(b, c), area = -area;
+  float per_b = 0, per_c = 0;
+  for (int top = cells.top; top <= cells.bottom; top += kTile)
+    for (int left = cells.left; left <= cells.right; left += kTile) {
+      Edge<std::int32_t> const across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
+      int const columns = std::min(cells.right - left + 1, kTile), rows = std::min(cells.bottom - top + 1, kTile);
+      unsigned within = tile_within(across_a, across_b, across_c) & 0x1111u * ((1u << columns) - 1) & ((1u << kTile * rows) - 1);
+      if (within != 0 && per_b == 0 && per_c == 0)
+        per_b = (b.nearness - a.nearness) / float(area), per_c = (c.nearness - a.nearness) / float(area);
+      for (; within != 0; within &= within - 1) {
+        int const column = std::countr_zero(within) % kTile, row = std::countr_zero(within) / kTile;
+        std::int32_t const eb = across_b.at + column * across_b.per_column + row * across_b.per_row;
+        std::int32_t const ec = across_c.at + column * across_c.per_column + row * across_c.per_row;
+        put(left + column, top + row, a.nearness + per_b * float(eb) + per_c * float(ec), id);
+      }
+    }
 }
 
 }  // namespace vitrine

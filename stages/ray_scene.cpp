@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <mutex>
 #include <string>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -95,13 +97,21 @@ bool try_face(RTCPointQueryFunctionArguments* args) {
 
 struct RayScene::Impl {
   TriMesh const& mesh;
-  std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> owner{rtcNewScene(device()), rtcReleaseScene};
-  RTCScene scene = owner.get();
 
-  explicit Impl(TriMesh const& of) : mesh(of) {
-    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
-                                                       (mesh.triangles.size() >= kCompactFaces ? RTC_SCENE_FLAG_COMPACT
-                                                                                               : RTC_SCENE_FLAG_NONE)));
+  explicit Impl(TriMesh const& of) : mesh(of) { device(); }
+
+  /// The tree is made for the first query: pictures of opaque models need none.
+  RTCScene scene() {
+    std::call_once(once_, [this] { build(); });
+    return owner_.get();
+  }
+
+ private:
+  void build() {
+    std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> made{rtcNewScene(device()), rtcReleaseScene};
+    rtcSetSceneFlags(made.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
+                                                            (mesh.triangles.size() >= kCompactFaces ? RTC_SCENE_FLAG_COMPACT
+                                                                                                    : RTC_SCENE_FLAG_NONE)));
     RTCGeometry const geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
     // Embree reads 4 bytes past the last vertex: it gets a copy with room for that.
     void* const vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(V3f),
@@ -110,11 +120,15 @@ struct RayScene::Impl {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                                sizeof(Triangle), mesh.triangles.size());
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    rtcAttachGeometry(made.get(), geometry);
     rtcReleaseGeometry(geometry);
-    if (vertices) isolated([this] { rtcCommitScene(scene); });
+    if (vertices) isolated([&] { rtcCommitScene(made.get()); });
     require(rtcGetDeviceError(device()));
+    owner_ = std::move(made);
   }
+
+  std::once_flag once_;
+  std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> owner_{nullptr, rtcReleaseScene};
 };
 
 RayScene::RayScene(TriMesh const& mesh) : impl_(std::make_unique<Impl>(mesh)) {}
@@ -127,7 +141,7 @@ std::optional<Hit> RayScene::first_hit(Ray const& ray) const {
   if (has_side(ray)) context.filter = pass_wrong_sides;
   RTCRayHit query{embree_ray(ray), {}};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(impl_->scene, &context, &query);
+  rtcIntersect1(impl_->scene(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return Hit{query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
 }
@@ -147,7 +161,7 @@ std::array<std::optional<Hit>, RayScene::kPacket> RayScene::first_hits(std::arra
     ray.time[k] = 0, ray.mask[k] = 0xffffffffu, ray.id[k] = i, ray.flags[k] = 0;
     queries[i / 8].hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
   }
-  rtcIntersectNM(impl_->scene, &context, reinterpret_cast<RTCRayHitN*>(queries.data()), 8, kPacket / 8,
+  rtcIntersectNM(impl_->scene(), &context, reinterpret_cast<RTCRayHitN*>(queries.data()), 8, kPacket / 8,
                  sizeof(RTCRayHit8));
   std::array<std::optional<Hit>, kPacket> hits;
   for (unsigned i = 0; i < kPacket; ++i) {
@@ -163,7 +177,7 @@ bool RayScene::occluded(Ray const& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay query = embree_ray(ray);
-  rtcOccluded1(impl_->scene, &context, &query);
+  rtcOccluded1(impl_->scene(), &context, &query);
   return query.tfar < 0;
 }
 
@@ -172,7 +186,7 @@ std::optional<Hit> RayScene::closest_point(V3f const& point, float radius, V3f c
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   RTCPointQuery query{point.x, point.y, point.z, 0, radius};
-  rtcPointQuery(impl_->scene, &query, &context, try_face, &closest);
+  rtcPointQuery(impl_->scene(), &query, &context, try_face, &closest);
   if (!(closest.best.distance < radius)) return std::nullopt;
   return closest.best;
 }

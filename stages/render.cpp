@@ -2,6 +2,7 @@
 #include "stages/render.h"
 
 #include "stages/depth_buffer.h"
+#include "stages/face_lanes.h"
 #include "stages/parallel.h"
 #include "stages/shade.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kMostLayers = 64;  ///< transparent ones that a ray passes before it sees the background
 constexpr float kGrey = 0.5f;
+constexpr std::size_t kManyFaces = 50'000;  ///< from here on, samples seldom share a face
 constexpr std::size_t kMostFaces = std::size_t{1} << 20;  ///< beyond, a ray finds its face sooner than all are drawn
 
 /// One sample as the client's frame buffer holds it.
@@ -93,6 +95,10 @@ class Painter {
       : model_(model), options_(options), lens_(camera, model.model->origin, options.size * options.supersample) {
     V3d const to_light = options.light == Light::head ? -camera.forward : camera.up - camera.right - camera.forward;
     to_light_ = V3f(to_light.normalized());
+    all_grey_ = options.grey && options.occlusion != Occlusion::colour;
+    lanes_by_face_ = options.supersample * options.supersample == int(kLanes) && options.occlusion == Occlusion::none &&
+                     model.model->mesh.triangles.size() >= kManyFaces && !model.model->normals.empty() &&
+                     !model.surface.mapped() && !(options.grey && model.surface.unlit());
   }
 
   Image picture(DepthBuffer& buffer) const {
@@ -125,21 +131,52 @@ class Painter {
   void draw_pixel(Image& picture, int x, int y, DepthBuffer const& buffer, SeenFaces& faces) const {
     int const n = options_.supersample;
     std::array<std::uint32_t, kLanes> seen;
-    Samples samples;
-    std::size_t covered = 0;
     for (int i = 0; i < n * n; ++i) seen[i] = buffer.face(n * x + i % n, n * y + i / n);
-    for (int i = 0; i < n * n; ++i) {
+    Samples samples;
+    std::size_t const covered = lanes_by_face_ ? look_at_samples(seen, x, y, samples) : look_at_faces(seen, x, y, faces, samples);
+    if (covered == 0) return;
+    shading_at(x, y)(samples);
+    std::array<int, 4> sums;
+    sums[0] = 255 * (n * n - int(covered)) + sum_of_srgb_bytes(samples.colour[0], covered);
+    for (std::size_t k = 1; k < 3; ++k)
+      sums[k] = all_grey_ ? sums[0] : 255 * (n * n - int(covered)) + sum_of_srgb_bytes(samples.colour[k], covered);
+    sums[3] = 255 * int(covered);
+    put(picture, x, y, sums);
+  }
+
+  /// Face by face; how many samples see one.
+  std::size_t look_at_faces(std::array<std::uint32_t, kLanes>& seen, int x, int y, SeenFaces& faces, Samples& samples) const {
+    std::size_t covered = 0;
+    for (int i = 0; i < options_.supersample * options_.supersample; ++i) {
       if (seen[i] == DepthBuffer::kNothing) continue;
       SeenFace const& face = faces[seen[i]];
       covered = add(face, take(seen, i, x, y), samples, covered);
     }
-    if (covered == 0) return;
-    shading_at(x, y)(samples);
-    std::array<int, 4> sums;
-    for (std::size_t k = 0; k < 3; ++k)
-      sums[k] = 255 * (n * n - int(covered)) + sum_of_srgb_bytes(samples.colour[k], covered);
-    sums[3] = 255 * int(covered);
-    put(picture, x, y, sums);
+    return covered;
+  }
+
+  /// Each sample with its own face.
+  std::size_t look_at_samples(std::array<std::uint32_t, kLanes> const& seen, int x, int y, Samples& samples) const {
+    int const n = options_.supersample;
+    FaceLanes faces;
+    Lanes column{}, row{};
+    std::size_t covered = 0;
+    std::uint32_t last = DepthBuffer::kNothing;
+    for (int i = 0; i < n * n; ++i) {
+      if (seen[i] == DepthBuffer::kNothing) continue;
+      column[covered] = float(n * x + i % n), row[covered] = float(n * y + i / n);
+      if (seen[i] == last) {
+        faces.repeat(covered++);
+        continue;
+      }
+      last = seen[i];
+      if (!options_.grey || model_.model->materials.size() > 1) faces.set_colours(covered, model_.surface.facet(last));
+      faces.set_shape(covered++, *model_.model, last, lens_.eye);
+    }
+    if (covered == 0) return 0;
+    for (std::size_t i = covered; i < kLanes; ++i) faces.repeat(i);
+    faces.look(lens_, column, row, options_.grey ? std::optional(kGrey) : std::nullopt, samples);
+    return covered;
   }
 
   /// All samples of a pixel, from the first on, that see the same face as that; they are crossed out.
@@ -268,6 +305,7 @@ class Painter {
   PictureOptions options_;
   Lens lens_;
   V3f to_light_;
+  bool lanes_by_face_, all_grey_;
 };
 
 }  // namespace

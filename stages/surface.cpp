@@ -295,6 +295,12 @@ AlphaMode Surface::alpha() const {
   return AlphaMode::opaque;
 }
 
+bool Surface::mapped() const {
+  return !impl_->model.uvs.empty() && impl_->any_material([](Material const& m) {
+    return m.colour_map.image >= 0 || m.normal_map.image >= 0 || m.occlusion_map.image >= 0;
+  });
+}
+
 bool Surface::unlit() const {
   return !impl_->any_material([](Material const& m) { return !m.unlit; });
 }

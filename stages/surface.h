@@ -60,6 +60,7 @@ class Surface {
   bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials
   Rgba uniform_colour() const;  ///< the one colour, when it does not; white for models without colour
   AlphaMode alpha() const;      ///< blend if any material in use blends, mask if any cuts out
+  bool mapped() const;          ///< any texture covers it
   bool unlit() const;           ///< all materials in use are
   bool double_sided() const;    ///< any material in use is
 

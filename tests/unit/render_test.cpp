@@ -149,6 +149,23 @@ TEST(Render, RaysAndTheDepthBufferShowTheSame) {
   EXPECT_LT(compare(drawn, picture(model, from)).mse1e4, 0.02);
 }
 
+/// The same model, but with a texture over it that changes nothing.
+SourceModel mapped(SourceModel model) {
+  model.uvs.assign(model.mesh.positions.size(), {0, 0});
+  model.images = {{1, 1, 3, ColourSpace::linear, {255, 255, 255}}};
+  model.materials[0].occlusion_map.image = 0;
+  return model;
+}
+
+TEST(Render, SampleBySampleAndFaceByFaceShowTheSame) {
+  SourceModel const many = clean(test::painted_model(test::bumpy_sphere(320, 160))).model;
+  ASSERT_GT(many.mesh.triangles.size(), 50'000u);
+  for (bool const grey : {false, true}) {
+    PictureOptions const options{64, Light::side, grey};
+    EXPECT_EQ(picture(many, front(), options).texels, picture(mapped(many), front(), options).texels);
+  }
+}
+
 TEST(Render, FewerSamplesPerPixelAreRougherOnly) {
   SourceModel const model = clean(test::painted_model(test::torus())).model;
   Camera const from = camera(bounding_sphere(model), directions(ViewSet::sphere, 5)[3]);
