@@ -32,6 +32,10 @@ struct Collapser<Q>::Rules {
 
 namespace {
 
+/// Buckets that a refused candidate waits before looser rules hold for it. Else a part that cannot get simpler by the
+/// strict ones, frets and strings in their thousands, would outlast the body that carries them.
+constexpr std::size_t kPatience = 8 * BucketQueue::kOctave;
+
 // Between 1e-7 and 1e-5 these constants change the mean distance on scans by 2 % at most; above, they cost detail.
 constexpr double kStiffness = 1e-6;   // see Quadric::minimiser
 constexpr double kLengthCost = 1e-5;  // short edges first where the surface is flat
@@ -163,9 +167,10 @@ void Collapser<Q>::postpone(Candidate const& candidate, std::size_t bucket) {
 
 template <class Q>
 void Collapser<Q>::try_collapse(Candidate const& candidate, std::size_t bucket) {
-  Rules const rules = relaxed_ ? Rules::relaxed() : Rules::strict();
   auto const [a, b, stamp] = candidate;
   Placement const placement = place(a, b);
+  bool const overdue = bucket >= BucketQueue::bucket(placement.cost) + kPatience;
+  Rules const rules = relaxed_ || overdue ? Rules::relaxed() : Rules::strict();
   if (placement.distance > max_distance_) {
     limited_ = true;
     return;

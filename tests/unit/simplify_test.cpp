@@ -158,6 +158,14 @@ TEST(SimplifyOptimal, KeepsSomethingOfEverySmallPartWhenPartsAreAllThereIs) {
   for (int i = 0; i < 40; ++i) EXPECT_GE(faces_near(light.mesh, V3f(float(i) * 3, 0, 0), 1.5f), 4u) << i;
 }
 
+TEST(SimplifyOptimal, WhatCannotGetSimplerDoesNotOutlastTheBody) {  // holes hold ten faces each as long as topology is kept
+  TriMesh guitar = test::sphere(64, 32);
+  for (int i = 0; i < 40; ++i) append(guitar, test::pierced_slab(4), V3f(1.2f, 0.05f * float(i), 0), 0.004f);
+  TriMesh const light = simplify(guitar, to_triangles(400)).mesh;
+  EXPECT_LE(light.triangles.size(), 400u);
+  EXPECT_GT(area(light), 0.85 * area(test::sphere(64, 32)));
+}
+
 TEST(SimplifyOptimal, NeverReturnsNothing) {
   TriMesh flakes;
   for (int i = 0; i < 100; ++i) append(flakes, test::triangle(), V3f(float(i) * 2, 0, 0));
