@@ -36,6 +36,7 @@ struct ModelOptions {
   FitOptions fit;
   SimplifyOptions simplify{.triangles = 0};
   SegmentOptions segment;
+  ParameterizeOptions parameterize;
   PackOptions pack{.texture = 0};
   QuantizeOptions quantize;
   BakeOptions bake;
@@ -52,6 +53,7 @@ void option_groups(Self& self, Visitor&& visit) {
   visit("Fit", self.fit);
   visit("Simplify", self.simplify);
   visit("Segment", self.segment);
+  visit("Parameterize", self.parameterize);
   visit("Pack", self.pack);
   visit("Quantize", self.quantize);
   visit("Bake", self.bake);

@@ -5,7 +5,6 @@
 #include "graph/message.h"
 #include "graph/stage_body.h"
 #include "graph/steps.h"
-#include "stages/parameterize.h"
 
 #include <oneapi/tbb/flow_graph.h>
 #include <oneapi/tbb/global_control.h>
@@ -177,7 +176,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
       flow::unlimited, "segment",
       [&](In<SimplifiedMesh> const& in, Job&) { return segment(in->mesh, options.segment); });
   auto flatten = node.operator()<ChartedMesh, FlatCharts>(
-      flow::unlimited, "parameterize", [](In<ChartedMesh> const& in, Job&) { return parameterize(*in); });
+      flow::unlimited, "parameterize", [](In<ChartedMesh> const& in, Job& job) { return flatten_charts(*in, job); });
   auto pack_ = node.operator()<FlatCharts, Atlas>(
       flow::unlimited, "pack", [](In<FlatCharts> const& in, Job& job) { return pack_charts(in, job); });
   auto bake_ = node.operator()<Atlas, BakedModel>(

@@ -58,7 +58,8 @@ json recipe_json(Recipe const& r) {
               {"positionBits", r.position_bits},
               {"colourWeight", r.colour_weight}};
   if (r.painting == Painting::vertices) out.update({{"colourBits", r.colour_bits}, {"smoothing", r.smoothing}});
-  if (is_textured(r)) out.update({{"texture", r.texture}, {"mapQuality", r.map_quality}});
+  if (r.painting == Painting::map) out.update({{"unfolding", shown(r.unfolding)}});
+  if (is_textured(r)) out.update({{"texture", r.texture}, {"mapQuality", r.map_quality}, {"avif", r.avif}});
   return out;
 }
 

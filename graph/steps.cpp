@@ -4,6 +4,7 @@
 #include "graph/certificate.h"
 #include "io/image_codec.h"
 #include "io/publish.h"
+#include "stages/detail.h"
 #include "stages/deviation.h"
 #include "stages/error.h"
 #include "stages/paint.h"
@@ -135,7 +136,8 @@ Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptio
   if (!options.publish.certificate) measure.count = 1;  // the poster's
   Reference seen = options.publish.certificate ? reference(model, measure) : viewpoints(model, measure);
   std::vector<Reference> deciding = judges(model, options);
-  SurfaceSamples samples = searches(options) ? sample_surface(model, kSamples) : SurfaceSamples{};
+  bool const sampled = searches(options) || options.parameterize.unfolding == Unfolding::detail;
+  SurfaceSamples samples = sampled ? sample_surface(model, kSamples) : SurfaceSamples{};
   return {std::move(model), std::move(seen), std::move(deciding), std::move(samples)};
 }
 
@@ -169,12 +171,18 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
   bool const occluded = options.bake.occlusion != Occlusion::none && !has_colour(*model.model);
   if (double const limit = deviation_limit(original, options); limit > 0 && levels.plain)
     subject.fixed_triangles = fewest_within(limit, *levels.plain, original.samples);
+  subject.avif = options.encode.colour_codec == MapCodec::automatic && options.encode.profile != Profile::plain;
   subject.needs_map = model.surface.alpha() != AlphaMode::opaque || occluded;
   return subject;
 }
 
 // ---- One trial
 // ----------------------------------------------------------------------------------------------------------------
+
+/// Vertices that bear normals stay: these make up for their places.
+bool refits(Job const& job) {
+  return job.study->recipe().shading == Shading::facets && job.study->options().fit.without != Choice::refit;
+}
 
 SimplifiedMesh shape_model(Job& job) {
   Levels const& levels = *job.levels;
@@ -184,7 +192,7 @@ SimplifiedMesh shape_model(Job& job) {
                          : recipe.colour_weight > 0         ? levels.coloured->at(recipe.triangles)
                                                             : levels.plain->at(recipe.triangles);
   job.row.simplify_error = light.error;
-  if (!levels.fixed && recipe.shading == Shading::facets)
+  if (!levels.fixed && refits(job))
     light.mesh = refit(light.mesh, job.original->samples);
   return light;
 }
@@ -196,14 +204,26 @@ BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
                             {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth});
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
   QuantizedMesh const placed =
-      recipe.shading == Shading::facets
+      refits(job)
           ? round_to_grid(light.mesh, grid, job.original->samples)
           : quantize(light.mesh, grid);
   PaintOptions options;
   options.colour_bits = recipe.colour_bits;
   options.smoothing = recipe.smoothing;
+  options.palette = job.study->options().fit.without != Choice::palette;
   options.normals = recipe.shading == Shading::smooth;
   return paint(placed, job.original->model, job.original->samples, options);
+}
+
+FlatCharts flatten_charts(ChartedMesh const& charts, Job& job) {
+  switch (job.study->options().parameterize.unfolding) {
+    case Unfolding::rigid:
+      return parameterize(charts, std::vector<float>(charts.mesh.triangles.size(), 1));
+    case Unfolding::detail:
+      return parameterize(charts, detail_lengths(charts.mesh, job.original->samples));
+    default:
+      return parameterize(charts);
+  }
 }
 
 Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job) {
@@ -225,7 +245,10 @@ BakedModel bake_maps(Atlas const& atlas, Job& job) {
 }
 
 EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
-  EncodedThumbnail thumbnail = io::encode(baked, job.row.title, job.study->options().encode);
+  ModelOptions const& options = job.study->options();
+  bool const fill = !job.levels->fixed && job.study->recipe().map_quality == 0;
+  std::size_t const most = fill ? std::size_t(1000 * options.fit.max_kb) : io::kAnySize;
+  EncodedThumbnail thumbnail = io::encode(baked, job.row.title, options.encode, most);
   ModelRow& row = job.row;
   row.triangles = thumbnail.triangles;
   row.vertices = thumbnail.vertices;
@@ -238,11 +261,12 @@ EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
 void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
   double error = 0, score = 0;
   if (!job.original->judges.empty()) {
+    bool const structure = job.study->options().fit.without != Choice::structure;
     SurveyedModel const decoded = decode(*file, job.study->options().bake.occlusion);
     for (Reference const& judge : job.original->judges) {
       Difference const mean = compare(judge.pictures, pictures(decoded, judge)).mean;
       error += mean.mse1e4 / double(job.original->judges.size());
-      score += mean.mse1e4 * (1 - mean.foreground_ssim);
+      score += mean.mse1e4 * (structure ? 1 - mean.foreground_ssim : 1);
     }
   }
   job.study->add(job.row, file, error, score);

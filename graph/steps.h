@@ -29,6 +29,7 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
 SimplifiedMesh shape_model(Job& job);
 /// What needs no atlas: colours per vertex, the original's own texture, or neither.
 BakedModel paint_model(SimplifiedMesh const& light, Job& job);
+FlatCharts flatten_charts(ChartedMesh const& charts, Job& job);
 Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job);
 BakedModel bake_maps(Atlas const& atlas, Job& job);
 EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job);

@@ -12,11 +12,13 @@ namespace {
 ModelOptions with_recipe(ModelOptions options, Recipe const& recipe) {
   options.simplify.triangles = recipe.triangles;
   options.quantize.position_bits = recipe.position_bits;
+  options.parameterize.unfolding = recipe.unfolding;
   options.pack.texture = recipe.texture;
   options.bake.samples = 4;
   options.bake.normal_map = false;
   options.bake.vertex_normals = recipe.shading == Shading::smooth;
-  options.encode.colour_quality = recipe.map_quality;
+  if (recipe.map_quality > 0) options.encode.colour_quality = recipe.map_quality;
+  if (recipe.avif) options.encode.colour_codec = MapCodec::avif;
   return options;
 }
 
@@ -38,7 +40,15 @@ bool Study::advance() {
   if (!next) return false;
   recipe_ = *next;
   trial_options_ = with_recipe(options_, recipe_);
+  if (int const quality = last_quality(); recipe_.map_quality == 0 && quality > 0) trial_options_.encode.colour_quality = quality;
   return true;
+}
+
+/// Of the last map in the recipe's coding: where the next one's is looked for first.
+int Study::last_quality() const {
+  for (std::size_t i = made_.size(); i-- > 0;)
+    if (made_[i].file && history_[i].recipe.avif == recipe_.avif && made_[i].file->colour_quality > 0) return made_[i].file->colour_quality;
+  return 0;
 }
 
 bool Study::wants_atlas() const { return !searches(options_) || recipe_.painting == Painting::map; }
@@ -49,15 +59,17 @@ void Study::keep(std::shared_ptr<FlatCharts const> charts) {
 }
 
 std::shared_ptr<FlatCharts const> Study::charts() const {
-  auto const shape = [](Recipe const& r) { return std::tuple(r.triangles, r.colour_weight, r.shading); };
+  auto const shape = [](Recipe const& r) { return std::tuple(r.triangles, r.colour_weight, r.shading, r.unfolding); };
   return wants_atlas() && charts_ && shape(charts_recipe_) == shape(recipe_) ? charts_ : nullptr;
 }
 
 void Study::add(Made const& made, std::shared_ptr<EncodedThumbnail const> file, double error, double score) {
   std::size_t const maps = made.bytes.colour + made.bytes.normal + made.bytes.occlusion;
-  history_.push_back({recipe_, made.bytes.total, maps, error, score});
+  history_.push_back({recipe_, made.bytes.total, maps, file->colour_quality, error, score});
   made_.push_back({made, std::move(file)});
-  if (searches(options_)) made_.back().made.recipe = recipe_;
+  if (!searches(options_)) return;
+  made_.back().made.recipe = recipe_;
+  made_.back().made.recipe->map_quality = made_.back().file->colour_quality;
 }
 
 void Study::add_failure(Failure const& failure) {

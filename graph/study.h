@@ -43,6 +43,8 @@ class Study {
   Winner const& winner() const;
 
  private:
+  int last_quality() const;
+
   Subject subject_;
   ModelOptions options_, trial_options_;
   Recipe recipe_;

@@ -84,8 +84,8 @@ int gl_name(Wrap wrap) {
 }
 
 /// The original's own texture may repeat, and be read elsewhere than in the unit square.
-Json write_colour_map(GltfDocument& document, BakedModel const& model, EncodeOptions const& options, std::size_t& bytes) {
-  Json map = write_map(document, encode_colour(*model.colour, options), bytes);
+Json write_colour_map(GltfDocument& document, BakedModel const& model, EncodedImage const& coded, std::size_t& bytes) {
+  Json map = write_map(document, coded, bytes);
   if (model.wrap_u != Wrap::repeat || model.wrap_v != Wrap::repeat) {
     document.json["samplers"][0] = {{"wrapS", gl_name(model.wrap_u)}, {"wrapT", gl_name(model.wrap_v)}};
     document.json["textures"][map["index"].get<std::size_t>()]["sampler"] = 0;
@@ -98,14 +98,15 @@ Json write_colour_map(GltfDocument& document, BakedModel const& model, EncodeOpt
   return map;
 }
 
-Json write_material(GltfDocument& document, BakedModel const& model, EncodeOptions const& options,
+/// `colour`: the colour map as coded, where there is one.
+Json write_material(GltfDocument& document, BakedModel const& model, EncodedImage const& colour, EncodeOptions const& options,
                     EncodedThumbnail& sizes) {
   Json pbr = {{"metallicFactor", 0}};
   if (Json factor = colour_factor(model.base_colour); factor != Json::array({1, 1, 1, 1}))
     pbr["baseColorFactor"] = std::move(factor);
   if (model.colour)
     pbr["baseColorTexture"] = model.palette ? write_palette(document, *model.colour, sizes.colour)
-                                            : write_colour_map(document, model, options, sizes.colour);
+                                            : write_colour_map(document, model, colour, sizes.colour);
   Json material = {{"pbrMetallicRoughness", std::move(pbr)}};
   if (model.normal)
     material["normalTexture"] = write_map(document, encode_normal(*model.normal, options), sizes.normal);
@@ -137,6 +138,49 @@ void write_scene(GltfDocument& document, WrittenGeometry const& geometry, V3d co
   document.json["nodes"][0] = std::move(node);
 }
 
+EncodedThumbnail finish(GltfDocument& document, WrittenGeometry const& geometry, BakedModel const& model, EncodedImage const& colour,
+                        EncodeOptions const& options) {
+  EncodedThumbnail thumbnail;
+  document.json["materials"][0] = write_material(document, model, colour, options, thumbnail);
+  Json primitive = geometry.primitive;
+  primitive["material"] = 0;
+  document.json["meshes"][0]["primitives"][0] = std::move(primitive);
+  thumbnail.glb = document.glb();
+  thumbnail.geometry = geometry.bytes;
+  thumbnail.other =
+      thumbnail.glb.size() - thumbnail.geometry - thumbnail.colour - thumbnail.normal - thumbnail.occlusion;
+  thumbnail.triangles = geometry.triangles;
+  thumbnail.vertices = geometry.vertices;
+  return thumbnail;
+}
+
+struct CodedColour {
+  EncodedImage image;
+  int quality = 0;
+};
+
+CodedColour code_colour(Image const& map, EncodeOptions const& options) {
+  return {encode_colour(map, options), options.colour_quality};
+}
+
+/// The highest quality whose bytes fit into `room`, to one part in fifty; the lowest where none does. `coded`: a first try.
+/// The logarithm of the bytes rises with the quality about as a line does.
+CodedColour code_colour_within(std::size_t room, Image const& map, EncodeOptions options, CodedColour coded) {
+  constexpr int kLowest = 5, kHighest = 95;
+  constexpr double kRise = 0.025, kNear = 0.98;
+  std::optional<CodedColour> best;
+  for (int low = kLowest, high = kHighest;;) {
+    double const filled = double(coded.image.bytes.size()) / double(std::max<std::size_t>(room, 1));
+    bool const fits = filled <= 1;
+    (fits ? low : high) = coded.quality + (fits ? 1 : -1);
+    int const step = int(std::lround(-std::log(filled / kNear) / kRise)), next = coded.quality + step;
+    if (fits || coded.quality <= kLowest) best = std::move(coded);
+    if (low > high || (fits && filled >= kNear)) return *best;
+    options.colour_quality = std::clamp(next, low, high);
+    coded = code_colour(map, options);
+  }
+}
+
 }  // namespace
 
 EncodedImage encode_colour(Image const& map, EncodeOptions const& options) {
@@ -153,23 +197,26 @@ EncodedImage encode_normal(Image const& map, EncodeOptions const& options) {
   return encode_map(map, {usual, options.normal_quality});
 }
 
-EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options) {
+EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options, std::size_t most_bytes) {
   if (model.mesh.triangles.empty())
     throw Error(ErrorKind::broken, "nothing to encode: no triangles are left", "report this model");
-  EncodedThumbnail thumbnail;
-  GltfDocument document;
-  WrittenGeometry geometry = write_geometry(document, split_vertices(model), model.grid, options.profile);
-  write_scene(document, geometry, model.origin, title);
-  document.json["materials"][0] = write_material(document, model, options, thumbnail);
-  geometry.primitive["material"] = 0;
-  document.json["meshes"][0]["primitives"][0] = std::move(geometry.primitive);
-
-  thumbnail.glb = document.glb();
-  thumbnail.geometry = geometry.bytes;
-  thumbnail.other =
-      thumbnail.glb.size() - thumbnail.geometry - thumbnail.colour - thumbnail.normal - thumbnail.occlusion;
-  thumbnail.triangles = geometry.triangles;
-  thumbnail.vertices = geometry.vertices;
+  GltfDocument geometry_alone;
+  WrittenGeometry const geometry = write_geometry(geometry_alone, split_vertices(model), model.grid, options.profile);
+  write_scene(geometry_alone, geometry, model.origin, title);
+  auto const with_colour = [&](EncodedImage const& colour) {
+    GltfDocument document = geometry_alone;
+    return finish(document, geometry, model, colour, options);
+  };
+  CodedColour colour;
+  if (model.colour && !model.palette) colour = code_colour(*model.colour, options);
+  EncodedThumbnail thumbnail = with_colour(colour.image);
+  if (most_bytes != kAnySize && colour.quality > 0) {
+    constexpr std::size_t kPadding = 3;
+    std::size_t const rest = thumbnail.glb.size() - thumbnail.colour + kPadding;
+    colour = code_colour_within(most_bytes - std::min(rest, most_bytes), *model.colour, options, std::move(colour));
+    thumbnail = with_colour(colour.image);
+  }
+  thumbnail.colour_quality = colour.quality;
   if (options.x3dom) {
     thumbnail.x3d = write_x3d(model, title, options);
     thumbnail.x3d_zip = zip(thumbnail.x3d);

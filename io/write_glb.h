@@ -6,6 +6,8 @@
 #include "stages/data.h"
 #include "stages/options.h"
 
+#include <cstddef>
+#include <limits>
 #include <string_view>
 
 namespace vitrine {
@@ -59,10 +61,15 @@ struct EncodeOptions {
 EncodedImage encode_colour(Image const& map, EncodeOptions const& options);
 EncodedImage encode_normal(Image const& map, EncodeOptions const& options);
 
+inline constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();
+
+/// In:     `most_bytes`: the colour map gets the highest quality (5 to 95) at which the file is no larger; else the
+///         quality that the options name.
 /// Out:    a GLB with one mesh of one primitive, non-metallic and rough, maps embedded; extensionsRequired says what it needs;
 ///         `title` becomes the node's name when not empty.
 /// Errors: Broken if a codec fails on a valid model.
-EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options = {});
+EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options = {},
+                        std::size_t most_bytes = kAnySize);
 
 }  // namespace io
 }  // namespace vitrine

@@ -29,19 +29,26 @@ double bytes_per_triangle(Trial const& trial) {
   return std::max(geometry / trial.recipe.triangles, expected_bytes_per_triangle(trial.recipe) / 2);
 }
 
+double relative_size(Recipe const& one, Recipe const& other) {
+  return expected_bytes_per_triangle(one) / expected_bytes_per_triangle(other);
+}
+
 ByteModel::ByteModel(Recipe const& recipe, std::span<Trial const> history)
     : per_triangle_(expected_bytes_per_triangle(recipe)), map_(expected_map_bytes(recipe)) {
   for (Trial const& trial : history) {
     if (trial.recipe.painting != recipe.painting || std::isinf(trial.error)) continue;
-    double const bits = expected_bytes_per_triangle(recipe) / expected_bytes_per_triangle(trial.recipe);
-    per_triangle_ = bytes_per_triangle(trial) * bits;
+    per_triangle_ = bytes_per_triangle(trial) * relative_size(recipe, trial.recipe);
     if (is_textured(recipe) && trial.map_bytes > 0)
       map_ = double(trial.map_bytes) * expected_map_bytes(recipe) / expected_map_bytes(trial.recipe);
   }
 }
 
 int ByteModel::triangles(double bytes) const {
-  return int(std::max(0.0, (bytes - kHeaderBytes - map_) / per_triangle_));
+  return triangles_beside(map_, bytes);
+}
+
+int ByteModel::triangles_beside(double map_bytes, double bytes) const {
+  return int(std::max(0.0, (bytes - kHeaderBytes - map_bytes) / per_triangle_));
 }
 
 }  // namespace vitrine

@@ -15,6 +15,9 @@ double expected_bytes_per_texel(int map_quality);
 /// Of a trial, as far as its few triangles tell.
 double bytes_per_triangle(Trial const& trial);
 
+/// Of a triangle of the one to a triangle of the other.
+double relative_size(Recipe const& one, Recipe const& other);
+
 /// From what the last trial of the same painting took, scaled to the recipe's bits and texels; rough figures, measured
 /// on scans, where there is none yet.
 class ByteModel {
@@ -23,6 +26,8 @@ class ByteModel {
 
   /// That fill so many bytes.
   int triangles(double bytes) const;
+  /// The same beside a map of so many bytes.
+  int triangles_beside(double map_bytes, double bytes) const;
 
  private:
   double per_triangle_, map_;

@@ -191,6 +191,7 @@ struct EncodedThumbnail {
   std::vector<std::byte> x3d_zip;  ///< all of it in one file
   std::size_t geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
   std::uint32_t triangles = 0, vertices = 0;  ///< as drawn: vertices split at seams
+  int colour_quality = 0;  ///< of 100, that the colour map was coded with; 0 without one
 };
 
 /// Each check lists what is violated, in words; an empty list means valid. Tests and debug builds use them.

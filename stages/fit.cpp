@@ -19,7 +19,9 @@ constexpr double kLand = 0.99;      ///< of the ceiling: what the last trials ai
 constexpr double kFull = 0.97;      ///< of the ceiling: a file this large leaves nothing to gain
 constexpr double kFirstKb = 8;      ///< where a search by error begins
 constexpr double kMiss = 0.12;      ///< relative: a trial this far from what was aimed at is asked again
-constexpr double kMapShare = 0.5;   ///< of the bytes: a first map has no more
+constexpr double kHopeless = 0.7;  ///< in the cost's logarithm: what is so much worse is not asked again
+constexpr double kMapShare = 0.5;   ///< of the bytes: for a first map
+constexpr int kUsualQuality = 50;   ///< of a map that does not fill the ceiling, to begin with
 constexpr int kLargestTexture = 8192;
 constexpr int kFewest = 40;         ///< triangles
 constexpr int kSteps = 3;           ///< in one direction
@@ -56,8 +58,7 @@ class Search {
   std::optional<Recipe> next() {
     if (explore() == Answer::none) return asked_;
     if (subject_.fixed_triangles > 0) return {};
-    if (std::optional<Recipe> const recipe = land()) return recipe;
-    return fill_up();
+    return is_filled(best()) ? std::nullopt : land();
   }
 
  private:
@@ -69,12 +70,28 @@ class Search {
   using Change = void (*)(Recipe&);
 
   Answer explore() {
-    for (auto part : {&Search::start, &Search::choose_painting, &Search::choose_colour_quadrics, &Search::choose_texture,
-                      &Search::choose_quality, &Search::choose_shading, &Search::choose_bits,
-                      &Search::reconsider_shading, &Search::choose_colours})
-      if ((this->*part)() == Answer::none) return Answer::none;
+    using Question = Answer (Search::*)();
+    constexpr std::pair<Choice, Question> questions[] = {{Choice::none, &Search::start},
+                                                         {Choice::none, &Search::choose_painting},
+                                                         {Choice::colour_edges, &Search::choose_colour_quadrics},
+                                                         {Choice::none, &Search::choose_texture},
+                                                         {Choice::none, &Search::choose_share},
+                                                         {Choice::avif, &Search::choose_coding},
+                                                         {Choice::none, &Search::choose_quality},
+                                                         {Choice::unfolding, &Search::choose_unfolding},
+                                                         {Choice::normals, &Search::choose_shading},
+                                                         {Choice::bits, &Search::choose_bits},
+                                                         {Choice::normals, &Search::reconsider_shading},
+                                                         {Choice::colours, &Search::choose_colours}};
+    for (auto const& [choice, question] : questions)
+      if (!is_left_out(choice) && (this->*question)() == Answer::none) return Answer::none;
     return Answer::worse;
   }
+
+  bool is_left_out(Choice choice) const { return choice != Choice::none && choice == options_.without; }
+
+  /// Such files have the bytes that they may have, and can be compared as they are.
+  bool is_filled(Recipe const& recipe) const { return is_textured(recipe) && recipe.map_quality == 0; }
 
   // ---- Questions: a change to the best recipe so far, where it may pay
 
@@ -83,34 +100,42 @@ class Search {
     recipe.painting = subject_.needs_map ? Painting::map : subject_.coloured ? Painting::vertices : Painting::none;
     if (aim() < 6500) recipe.position_bits = 9;
     recipe.texture = first_texture();
+    if (options_.max_error > 0 || subject_.fixed_triangles > 0) recipe.map_quality = kUsualQuality;
     return ask(recipe);
   }
 
   int first_texture() const {
-    double const texels = kMapShare * aim() / expected_bytes_per_texel(Recipe{}.map_quality);
+    double const texels = kMapShare * aim() / expected_bytes_per_texel(kUsualQuality);
     return std::clamp(int(std::sqrt(texels)) / 4 * 4, 16, 1024);
   }
 
   Answer choose_painting() {
+    if (subject_.textured && best().painting == Painting::vertices && !is_left_out(Choice::normals) && choose_shading() == Answer::none)
+      return Answer::none;
     for (Painting painting : {Painting::map, Painting::own})
       if (offers(painting) && try_texture(painting) == Answer::none) return Answer::none;
     return Answer::worse;
   }
 
   bool offers(Painting painting) const {
-    if (painting == Painting::own) return subject_.own_texture > 0;
-    return subject_.textured && best().painting != Painting::map;
+    if (painting == Painting::own) return subject_.own_texture > 0 && !is_left_out(Choice::own_texture);
+    return subject_.textured && !is_left_out(Choice::atlas) && best().painting != Painting::map;
   }
 
+  /// Smooth first where the original has as few triangles as are shown, then the other way, unless that leads nowhere.
   Answer try_texture(Painting painting) {
     Recipe recipe = best();
     recipe.painting = painting;
-    recipe.shading = Shading::facets;
     recipe.texture = first_texture();
-    if (ask(recipe) == Answer::none) return Answer::none;
-    recipe = asked_;  // its size of the map
-    recipe.shading = Shading::smooth;
-    return ask(recipe);
+    bool const smooth_first = painting == Painting::own;
+    for (Shading shading : {smooth_first ? Shading::smooth : Shading::facets, smooth_first ? Shading::facets : Shading::smooth}) {
+      if (shading == Shading::smooth && is_left_out(Choice::normals)) continue;
+      recipe.shading = shading;
+      if (ask(recipe) == Answer::none) return Answer::none;
+      if (is_hopeless(history_[answered_ - 1])) break;
+      recipe = asked_;  // its size of the map
+    }
+    return Answer::worse;
   }
 
   Answer choose_colour_quadrics() {
@@ -120,14 +145,36 @@ class Search {
 
   Answer choose_texture() {
     if (!is_textured(best())) return Answer::worse;
-    return walk(&Search::ask_map, [](Recipe& r) { r.texture = r.texture * 5 / 4; },
+    return walk(&Search::ask, [](Recipe& r) { r.texture = r.texture * 5 / 4; },
                 [](Recipe& r) { r.texture = r.texture * 4 / 5; });
   }
 
+  Answer choose_share() {
+    if (!is_filled(best())) return Answer::worse;
+    return walk(&Search::ask_as_it_is, [](Recipe& r) { r.triangles += r.triangles / 4; }, [](Recipe& r) { r.triangles -= r.triangles / 5; });
+  }
+
+  Answer choose_coding() {
+    if (!is_textured(best()) || !subject_.avif) return Answer::worse;
+    Recipe recipe = best();
+    recipe.avif = true;
+    return ask(recipe);
+  }
+
   Answer choose_quality() {
-    if (!is_textured(best())) return Answer::worse;
-    return walk(&Search::ask_map, [](Recipe& r) { r.map_quality -= r.map_quality / 3; },
+    if (!is_textured(best()) || is_filled(best())) return Answer::worse;
+    return walk(&Search::ask, [](Recipe& r) { r.map_quality -= r.map_quality / 3; },
                 [](Recipe& r) { r.map_quality += (100 - r.map_quality) / 3; });
+  }
+
+  Answer choose_unfolding() {
+    if (best().painting != Painting::map) return Answer::worse;
+    for (Unfolding unfolding : {Unfolding::rigid, Unfolding::detail}) {
+      Recipe recipe = best();
+      recipe.unfolding = unfolding;
+      if (answer_to(recipe) == Answer::none) return Answer::none;
+    }
+    return Answer::worse;
   }
 
   /// Many facets shade better than fewer smooth triangles, up to some size of the file.
@@ -186,23 +233,17 @@ class Search {
     std::size_t const before = best_;
     recipe.texture = std::min(recipe.texture, largest_texture(recipe));
     recipe.triangles = affordable(recipe);
+    if (is_tried(recipe)) return Answer::worse;
     Answer answer = answer_to(recipe);
     if (answer == Answer::none) return answer;
     Trial const& first = history_[answered_ - 1];
-    if (subject_.fixed_triangles > 0 || std::isinf(first.error) || std::abs(std::log(double(first.bytes) / aim())) < kMiss) return answer;
+    if (subject_.fixed_triangles > 0 || is_hopeless(first) || std::abs(std::log(double(first.bytes) / aim())) < kMiss) return answer;
     double const share = double(first.map_bytes) / (kMapShare * aim());
-    if (share > 1) recipe.texture = std::max(16, int(recipe.texture / std::sqrt(share)));
-    int const triangles = affordable(recipe);
-    if (triangles == recipe.triangles && share <= 1) return answer;
-    recipe.triangles = triangles;
+    if (share > 1 && !is_filled(recipe)) recipe.texture = std::max(16, int(recipe.texture / std::sqrt(share)));
+    recipe.triangles = is_filled(recipe) ? beside(double(first.map_bytes), recipe) : affordable(recipe);
+    if (is_tried(recipe)) return answer;
     answer = answer_to(recipe);
     return answer == Answer::none ? answer : best_ == before ? Answer::worse : Answer::better;
-  }
-
-  /// Another map on the same shape.
-  Answer ask_map(Recipe recipe) {
-    recipe.texture = std::min(recipe.texture, largest_texture(recipe));
-    return is_tried(recipe) ? Answer::worse : answer_to(recipe);
   }
 
   int largest_texture(Recipe const& recipe) const {
@@ -211,8 +252,26 @@ class Search {
 
   int affordable(Recipe const& recipe) const {
     if (subject_.fixed_triangles > 0) return int(subject_.fixed_triangles);
-    int const triangles = ByteModel(recipe, history_.first(answered_)).triangles(aim());
-    return std::clamp(triangles, kFewest, std::max(kFewest, most()));
+    if (!is_filled(recipe)) return bounded(ByteModel(recipe, history_.first(answered_)).triangles(aim()));
+    bool const like_best = answered_ > 0 && best().painting == recipe.painting;
+    return like_best ? bounded(int(best().triangles / relative_size(recipe, best()))) : beside(kMapShare * aim(), recipe);
+  }
+
+  /// Triangles that there is room for beside a map of so many bytes.
+  int beside(double map_bytes, Recipe const& recipe) const {
+    return bounded(ByteModel(recipe, history_.first(answered_)).triangles_beside(map_bytes, aim()));
+  }
+
+  /// Nearly all are all.
+  int bounded(int triangles) const {
+    bool const whole = triangles > most() - most() / 50;
+    return std::max(kFewest, whole ? most() : triangles);
+  }
+
+  /// Another split between triangles and map.
+  Answer ask_as_it_is(Recipe recipe) {
+    recipe.triangles = bounded(recipe.triangles);
+    return is_tried(recipe) ? Answer::worse : answer_to(recipe);
   }
 
   /// What the history says; the better of both recipes is the best one from here on.
@@ -225,12 +284,15 @@ class Search {
     return better ? Answer::better : Answer::worse;
   }
 
+  bool is_hopeless(Trial const& trial) const { return cost(trial) > cost(history_[best_]) + kHopeless; }
+
   bool is_whole(Trial const& trial) const { return trial.recipe.triangles >= most(); }
 
   /// Logarithm of the error that the recipe would have with as many triangles as the bytes allow.
   double cost(Trial const& trial) const {
     if (std::isinf(trial.error)) return trial.error;
     if (subject_.fixed_triangles > 0) return size_cost(trial);
+    if (is_filled(trial.recipe) && double(trial.bytes) <= ceiling()) return std::log(std::max(trial.score, 1e-9));
     double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / bytes_per_triangle(trial);
     double const triangles = std::clamp(allowed, 1.0, std::max(1.0, double(most())));
     return std::log(std::max(trial.score, 1e-9)) - kErrorPower * std::log(triangles / trial.recipe.triangles);
@@ -307,24 +369,6 @@ class Search {
     return std::any_of(tried.begin(), tried.end(), [&](Trial const& trial) { return trial.recipe == recipe; });
   }
 
-  /// An original of few triangles leaves bytes for a larger map, or a finer one of its own texture.
-  std::optional<Recipe> fill_up() {
-    for (int attempt = 0; attempt < 2; ++attempt) {
-      std::optional<std::size_t> const winner = best_within(subject_, options_, history_.first(answered_));
-      if (!winner || options_.max_error > 0) return {};
-      Trial const& trial = history_[*winner];
-      if (!is_textured(trial.recipe) || !is_whole(trial) || double(trial.bytes) > kFull * ceiling()) return {};
-      double const room = (kFill * ceiling() - double(trial.bytes) + double(trial.map_bytes)) / double(trial.map_bytes);
-      asked_ = trial.recipe;
-      asked_.texture = std::min(largest_texture(asked_), int(asked_.texture * std::sqrt(std::min(room, 4.0))));
-      if (asked_.texture == trial.recipe.texture) asked_.map_quality += (100 - asked_.map_quality) / 2;
-      if (is_tried(asked_)) return {};
-      if (answered_ == history_.size()) return asked_;
-      ++answered_;
-    }
-    return {};
-  }
-
   Subject subject_;
   FitOptions options_;
   std::span<Trial const> history_;
@@ -343,7 +387,7 @@ bool is_textured(Recipe const& recipe) { return recipe.painting == Painting::map
 
 Trial failed_trial(Recipe const& recipe) {
   constexpr double worst = std::numeric_limits<double>::infinity();
-  return {recipe, std::numeric_limits<std::size_t>::max(), 0, worst, worst};
+  return {recipe, std::numeric_limits<std::size_t>::max(), 0, 0, worst, worst};
 }
 
 std::optional<Recipe> next_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {

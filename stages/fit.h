@@ -8,6 +8,7 @@
 
 #include "stages/data.h"
 #include "stages/options.h"
+#include "stages/parameterize.h"
 
 #include <cstddef>
 #include <optional>
@@ -16,12 +17,34 @@
 
 namespace vitrine {
 
+/// What the search decides, by which name it can be left out.
+enum class Choice {
+  none,
+  normals,       ///< facets always
+  atlas,         ///< no texture over charts, where colours per vertex can do
+  own_texture,   ///< the original's texture is never kept
+  avif,          ///< maps as WebP or JPEG
+  unfolding,     ///< charts stay as conformal maps lay them
+  colour_edges,  ///< triangles go where the surface bends, whatever its colours
+  bits,          ///< of positions
+  colours,       ///< bits and smoothness of colours per vertex
+  palette,       ///< colours per vertex as red, green and blue
+  refit,         ///< vertices stay where simplification left them
+  structure      ///< the mean square error alone decides
+};
+template <>
+struct EnumNames<Choice> {
+  static constexpr std::array<std::string_view, 12> names{"none", "normals",      "atlas", "own-texture", "avif",    "unfolding",
+                                                          "colour-edges", "bits", "colours", "palette", "refit", "structure"};
+};
+
 struct FitOptions {
   double max_kb = 16;
   double max_error = 0;
   double max_px = 0;
   double max_deviation = 0;
   double pixel_ratio = 2;
+  Choice without = Choice::none;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -32,6 +55,7 @@ struct FitOptions {
     visit(self.max_deviation, Field{"max-deviation", "box diagonals", "0: any; else the smallest file whose surface lies nowhere farther from the original's", 0, 1});
     visit(self.pixel_ratio,
           Field{"pixel-ratio", "", "device pixels per CSS pixel of the screens for which the search decides", 0.5, 4});
+    visit(self.without, Field{"without", "", "for comparisons: what the search is to leave as it is"});
   }
 };
 
@@ -64,8 +88,10 @@ struct Recipe {
   int position_bits = 10;
   int colour_bits = 5;       ///< of each of a colour's two numbers per vertex, see palette.h
   double smoothing = 0.1;    ///< of colours per vertex, see paint.h
+  Unfolding unfolding = Unfolding::conformal;  ///< of the charts
   int texture = 256;         ///< texels of the longer side
-  int map_quality = 50;      ///< of 100
+  int map_quality = 0;       ///< of 100; 0: the highest that the ceiling allows
+  bool avif = false;         ///< the map's coding, else WebP or JPEG
   bool operator==(Recipe const&) const = default;
 };
 
@@ -78,12 +104,14 @@ struct Subject {
   bool textured = false;      ///< and finer than its vertices
   std::size_t fixed_triangles = 0;  ///< by --max-deviation or --max-px: the fewest that keep to it; 0: free
   int own_texture = 0;        ///< texels of the longer side of the texture that can be kept; 0: none can
+  bool avif = false;          ///< maps may be coded so
   bool needs_map = false;     ///< transparency or occlusion, which only a texture can hold
 };
 
 struct Trial {
   Recipe recipe;
   std::size_t bytes = 0, map_bytes = 0;  ///< of the file, and of the images in it
+  int map_quality = 0;                   ///< that the map was coded with
   double error = 0;                      ///< MSE x 10^4
   double score = 0;                      ///< error x (1 - SSIM): visible facets, blocks and seams cost, too
 };

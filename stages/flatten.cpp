@@ -1,61 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/flatten.h"
 
+#include "stages/planar_face.h"
+
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <utility>
 
 namespace vitrine {
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr double kThinnest =
-    1e-6;  ///< height of a sliver as a share of its longest edge; shares of the chart's size below are noise
 constexpr double kTrimmed = 0.02;  ///< of the area, at either end, does not count for the spread of areas
-
-double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
-
-/// The corners of a face in its own plane, counter-clockwise.
-struct PlanarFace {
-  std::array<Complex, 3> corners;
-  double area() const { return cross(corners[1] - corners[0], corners[2] - corners[0]) / 2; }
-};
-
-/// Lays a face flat with its longest edge on the real axis; no lower than kThinnest of that edge. `unit` stands in for
-/// the edge when all three corners coincide.
-PlanarFace lay_flat(std::array<V3d, 3> const& p, double unit) {
-  std::array<double, 3> length;
-  for (std::size_t i = 0; i < 3; ++i) length[i] = (p[(i + 1) % 3] - p[i]).length();
-  std::size_t const a = std::size_t(std::ranges::max_element(length) - length.begin()), b = (a + 1) % 3,
-                    c = (a + 2) % 3;
-  double const base = length[a];
-  PlanarFace face;
-  face.corners[a] = 0;
-  if (base <= 0) {
-    face.corners[b] = unit;
-    face.corners[c] = Complex(0, unit);
-    return face;
-  }
-  V3d const along = (p[b] - p[a]) / base;
-  double const x = (p[c] - p[a]).dot(along), height = (p[c] - p[a]).cross(along).length();
-  face.corners[b] = base;
-  face.corners[c] = Complex(x, std::max(height, kThinnest * base));
-  return face;
-}
-
-std::vector<PlanarFace> lay_faces_flat(TriMesh const& disk, double size) {
-  std::vector<PlanarFace> faces;
-  faces.reserve(disk.triangles.size());
-  for (auto const& [a, b, c] : disk.triangles)
-    faces.push_back(
-        lay_flat({V3d(disk.positions[a]), V3d(disk.positions[b]), V3d(disk.positions[c])}, kThinnest * size));
-  return faces;
-}
 
 /// The boundary as a loop of vertices, front faces on its left.
 std::vector<std::uint32_t> boundary_loop(TriMesh const& disk) {
@@ -153,8 +111,6 @@ std::vector<V2f> to_image_axes(TriMesh const& disk, std::vector<PlanarFace> cons
   return result;
 }
 
-Complex plane(V2f const& uv) { return {uv.x, -double(uv.y)}; }
-
 /// Whether segments ab and cd cross. A point exactly on a line counts as on its left, so that a crossing through a
 /// shared point is never missed.
 bool cross_each_other(Complex a, Complex b, Complex c, Complex d) {
@@ -229,17 +185,29 @@ void measure(TriMesh const& disk, std::vector<PlanarFace> const& faces, FlatDisk
   flat.area_spread = spread(std::move(scales));
 }
 
+double diagonal(TriMesh const& disk) {
+  Box3f const box = bounds(disk);
+  return (V3d(box.max) - V3d(box.min)).length();
+}
+
 }  // namespace
 
 bool lies_flat(FlatDisk const& flat, FlatLimits const& limits) {
   return !flat.folded && !flat.overlapping && flat.stretch <= limits.stretch && flat.area_spread <= limits.area_spread;
 }
 
+FlatDisk judged(TriMesh const& disk, std::vector<V2f> uvs) {
+  FlatDisk flat;
+  flat.uvs = std::move(uvs);
+  measure(disk, lay_faces_flat(disk, diagonal(disk)), flat);
+  flat.overlapping = boundary_crosses_itself(boundary_loop(disk), flat.uvs);
+  return flat;
+}
+
 FlatDisk flatten(TriMesh const& disk) {
   FlatDisk flat;
   flat.uvs.assign(disk.positions.size(), V2f(0));
-  Box3f const box = bounds(disk);
-  double const size = (V3d(box.max) - V3d(box.min)).length();
+  double const size = diagonal(disk);
   if (size == 0) return flat;  // a dot
   std::vector<PlanarFace> const faces = lay_faces_flat(disk, size);
   std::vector<std::uint32_t> const loop = boundary_loop(disk);
@@ -248,10 +216,7 @@ FlatDisk flatten(TriMesh const& disk) {
     flat.folded = true;
     return flat;
   }
-  flat.uvs = to_image_axes(disk, faces, uv);
-  measure(disk, faces, flat);
-  flat.overlapping = boundary_crosses_itself(loop, flat.uvs);
-  return flat;
+  return judged(disk, to_image_axes(disk, faces, uv));
 }
 
 }  // namespace vitrine

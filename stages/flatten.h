@@ -30,4 +30,7 @@ bool lies_flat(FlatDisk const& flat, FlatLimits const& limits);
 /// vertices. Faces without area take part as slivers of a millionth of their length. Never NaN.
 FlatDisk flatten(TriMesh const& disk);
 
+/// What is to be said of any map of a disk that is no dot.
+FlatDisk judged(TriMesh const& disk, std::vector<V2f> uvs);
+
 }  // namespace vitrine

@@ -94,7 +94,7 @@ TEST_P(SimplifyProperty, ReachesTheTargetOrSaysWhyNotAndStaysAMesh) {
   for (auto const& [name, mesh] : meshes())
     for (int target : {4, 40, 250}) {
       SCOPED_TRACE(name + " to " + std::to_string(target));
-      auto const [light, error, stop] = simplify(mesh, to_triangles(target, GetParam()));
+      auto const [light, error, stop, uvs] = simplify(mesh, to_triangles(target, GetParam()));
       EXPECT_EQ(stop == StopReason::target_reached, light.triangles.size() <= std::size_t(target));
       EXPECT_FALSE(light.triangles.empty());
       EXPECT_THAT(check(light), testing::IsEmpty());

@@ -20,20 +20,25 @@ struct World {
   double facet_rate = 1.3, vertex_rate = 0.5, map_bits = 0.8;
   std::function<double(Recipe const&)> penalty = [](Recipe const&) { return 1.0; };
 
-  Trial operator()(Recipe const& recipe) const {
+  Trial operator()(Recipe const& recipe, double ceiling) const {
     double map = 0, rate = facet_rate + 0.1 * (recipe.position_bits - 10);
     if (recipe.painting == Painting::vertices) rate += vertex_rate;
-    if (recipe.painting == Painting::map) map = map_bits / 8 * recipe.texture * recipe.texture * recipe.map_quality / 50.0, rate += 0.8;
+    if (is_textured(recipe)) rate += 0.8;
     if (recipe.shading == Shading::smooth) rate += 0.5;
+    if (is_textured(recipe)) {
+      double const at_50 = map_bits / 8 * recipe.texture * recipe.texture, room = 0.99 * ceiling - 700 - rate * recipe.triangles;
+      double const quality = recipe.map_quality > 0 ? recipe.map_quality : std::clamp(50 * room / at_50, 5.0, 95.0);
+      map = at_50 * quality / 50;
+    }
     double const error = 2000 * penalty(recipe) / std::pow(recipe.triangles, 1.2);
-    return {recipe, std::size_t(700 + map + rate * recipe.triangles), std::size_t(map), error, error * 0.05};
+    return {recipe, std::size_t(700 + map + rate * recipe.triangles), std::size_t(map), 0, error, error * 0.05};
   }
 };
 
 std::vector<Trial> search(Subject const& subject, FitOptions const& options, World const& world) {
   std::vector<Trial> history;
   while (std::optional<Recipe> const recipe = next_trial(subject, options, history)) {
-    history.push_back(world(*recipe));
+    history.push_back(world(*recipe, 1000 * options.max_kb));
     if (history.size() > 40) break;
   }
   return history;

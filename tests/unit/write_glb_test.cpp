@@ -406,6 +406,20 @@ TEST(WriteGlb, MapsAreFoundFromTheirMaterial) {
   }
 }
 
+TEST(WriteGlb, TheColourMapFillsTheFileThatIsAskedFor) {
+  BakedModel const model = with_all_maps();
+  std::size_t const usual = encode(model, "").glb.size();
+  int quality = 0;
+  for (std::size_t most : {usual - 100, usual + 100, usual + 400}) {
+    EncodedThumbnail const file = encode(model, "", {}, most);
+    EXPECT_LE(file.glb.size(), most);
+    EXPECT_GT(file.colour_quality, quality);
+    quality = file.colour_quality;
+  }
+  EXPECT_EQ(encode(model, "", {}, 10).colour_quality, 5);
+  EXPECT_EQ(encode(model, "", {}, 1'000'000).colour_quality, 95);
+}
+
 TEST(WriteGlb, PlainTakesPngWhereThereIsAlpha) {
   BakedModel model = with_all_maps();
   EXPECT_EQ(json_of(model, {Profile::plain})["images"][0]["mimeType"], "image/jpeg");

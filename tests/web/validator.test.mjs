@@ -10,10 +10,21 @@ import { glbs } from './fixtures.mjs';
 
 const SEVERITIES = ['error', 'warning'];
 
+/** The validator knows no AVIF, and says so twice of each such image. */
+function isOfAvif({ code, pointer }, json) {
+  const image = /^\/images\/(\d+)/.exec(pointer ?? '');
+  return Boolean(image) && json.images[image[1]].mimeType === 'image/avif' && ['VALUE_NOT_IN_LIST', 'IMAGE_UNRECOGNIZED_FORMAT'].includes(code);
+}
+
+function jsonOf(bytes) {
+  return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
+}
+
 async function issues(bytes) {
+  const json = jsonOf(bytes);
   const report = await validateBytes(new Uint8Array(bytes), { maxIssues: 100 });
   return report.issues.messages
-    .filter(({ severity }) => severity <= 1)
+    .filter((message) => message.severity <= 1 && !isOfAvif(message, json))
     .map(({ severity, code, pointer, message }) => `${SEVERITIES[severity]}: ${code} ${pointer ?? ''}: ${message}`);
 }
 
