@@ -94,6 +94,7 @@ Verb report_verb(CLI::App& app) {
       ->check(CLI::Range(16, 8192).description(""))
       ->type_name("TEXELS,...")
       ->capture_default_str();
+  app.add_flag("--ablation", command->ablation, "convert once more without each choice of the search, and tell what that costs");
   app.add_option("--archive", command->archive, "where the originals are, if they have moved since")
       ->check(CLI::ExistingDirectory);
   add_machine(app, command->run);

@@ -2,6 +2,7 @@
 // The page, its tables and its words, of a study made up by hand.
 #include "tests/support/certificates.h"
 #include "tests/support/folders.h"
+#include "tools/report/ablation.h"
 #include "tools/report/page.h"
 #include "tools/report/paper_tables.h"
 #include "tools/report/words.h"
@@ -24,7 +25,7 @@ Model model(std::string const& title, std::size_t bytes, double mse1e4) {
 
 /// Two models: one better than 16 frames and smaller, one larger than the 8 frames that are as good.
 Study study(std::filesystem::path const& folder = {}) {
-  Study study{{folder, "/scans", {}, {model("lion", 12'000, 8.0), model("bowl", 9'000, 25.0)}, {"broken.obj"}}, {}};
+  Study study{{folder, "/scans", {}, {model("lion", 12'000, 8.0), model("bowl", 9'000, 25.0)}, {"broken.obj"}}, {}, {}};
   study.trials = {{{"paper-64", true, 64, {}}, {thumbnail(10'000, 10), thumbnail(10'000, 30)}},
                   {{"paper-128", true, 128, {}}, {thumbnail(30'000, 8), thumbnail(30'000, 31)}}};
   return study;
@@ -49,6 +50,14 @@ TEST(PaperTables, VerdictsNameTheRival) {
   std::string const csv = to_csv(verdicts(study()));
   EXPECT_THAT(csv, HasSubstr("lion,3D,12.0,8.00,\"16 frames, JPEG q90\",16.0,6.00,series"));
   EXPECT_THAT(csv, HasSubstr("bowl,series,9.0,25.00,\"8 frames, JPEG q90\",8.0,20.00,series"));
+}
+
+TEST(PaperTables, AblationTellsWhatAChoiceIsWorth) {
+  Study tried = study();
+  Setting whole{"own-16", false, 16, {}}, without{"without-refit", false, 16, {}};
+  without.options.fit.without = Choice::refit;
+  tried.ablation = {{whole, {thumbnail(16'000, 8), thumbnail(16'000, 25)}}, {without, {thumbnail(16'000, 16), thumbnail(16'000, 25)}}};
+  EXPECT_THAT(to_csv(ablation(tried)), HasSubstr("refit,1.414,0.0000,1,2.000,lion,2.00\r\n"));
 }
 
 TEST(PaperTables, CodecsHaveTheirUsualNames) {

@@ -2,6 +2,7 @@
 #include "tools/report/page.h"
 
 #include "io/publish.h"
+#include "tools/report/ablation.h"
 #include "tools/report/escape.h"
 #include "tools/report/figures.h"
 #include "tools/report/paper_tables.h"
@@ -109,7 +110,9 @@ struct Charts {
 };
 
 void publish_tables(Study const& study, std::filesystem::path const& folder) {
-  for (Table const& table : {table1(study), table2(study), table3(study), table4(study), verdicts(study)}) {
+  std::vector<Table> tables{table1(study), table2(study), table3(study), table4(study), verdicts(study)};
+  if (!study.ablation.empty()) tables.push_back(ablation(study));
+  for (Table const& table : tables) {
     io::publish_file(folder / (table.name + ".csv"), to_csv(table));
     io::publish_file(folder / (table.name + ".md"), to_markdown(table));
   }
@@ -136,6 +139,7 @@ std::string body(Study const& study, Charts const& charts, Pictures const& pictu
   out += "<h2>Bytes</h2>\n" + section(table3(study)) + section(charts.bars, "figure4.svg") +
          section(charts.bars_by_texture, "figure4-texture.svg");
   out += "<h2>Error</h2>\n" + section(table4(study)) + section(charts.curves, "curves.svg");
+  if (!study.ablation.empty()) out += "<h2>The search</h2>\n" + section(ablation(study));
   out += "<h2>Model by model</h2>\n<p>Figure 5: original, thumbnail, and their squared difference times 8.</p>\n";
   for (std::size_t m = 0; m < study.gallery.models.size(); ++m) out += model_section(study, pictures, m);
   return out + made_with(study) + "</main></body></html>\n";

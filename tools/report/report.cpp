@@ -21,7 +21,9 @@ int report(ReportCommand const& command) {
   textures.erase(std::unique(textures.begin(), textures.end()), textures.end());
   graph::ModelOptions const made_with = graph::options_from_json(gallery.models.front().certificate.at("options"));
   std::vector<Trial> trials = run_trials(gallery, archive, settings(textures, made_with), command.run);
-  Study const study{std::move(gallery), std::move(trials)};
+  std::vector<Trial> ablation;
+  if (command.ablation) ablation = run_trials(gallery, archive, ablation_settings(made_with), command.run);
+  Study const study{std::move(gallery), std::move(trials), std::move(ablation)};
   publish_page(study, publish_pictures(study, archive));
   fmt::print("{} models: {}\n", study.gallery.models.size(), tools::printable((command.gallery / "paper.html").string()));
   return 0;

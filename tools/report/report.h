@@ -13,6 +13,7 @@ struct ReportCommand {
   std::filesystem::path gallery;
   std::filesystem::path archive;  ///< where the originals are; empty: where the gallery's report says
   std::vector<int> textures{64, 128, 256, 512};
+  bool ablation = false;  ///< also what each choice of the search is worth
   graph::RunOptions run;  ///< its gallery is not used
 };
 

@@ -29,11 +29,15 @@ struct Trial {
 struct Study {
   Gallery gallery;
   std::vector<Trial> trials;
+  std::vector<Trial> ablation;  ///< the search with everything, then without each of its choices; none where not asked for
 };
 
 /// The paper's choices at each texture size, and Vitrine's search under rising ceilings; originals read and measured as
 /// `gallery`'s.
 std::vector<Setting> settings(std::vector<int> const& textures, graph::ModelOptions const& gallery);
+
+/// For Study::ablation.
+std::vector<Setting> ablation_settings(graph::ModelOptions const& gallery);
 
 /// The trials with the paper's choices, by texture size.
 std::vector<Trial const*> paper_trials(Study const& study);
