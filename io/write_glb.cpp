@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/write_glb.h"
 
+#include "io/colour_map.h"
 #include "io/gltf_geometry.h"
 #include "io/map_codec.h"
 #include "io/write_x3d.h"
@@ -24,21 +25,6 @@ WrittenGeometry write_geometry(GltfDocument& document, VertexMesh const& mesh, G
       return write_meshopt(document, mesh, grid);
     default:
       return write_draco(document, mesh, grid);
-  }
-}
-
-std::optional<ImageCodec> asked_for(MapCodec codec) {
-  switch (codec) {
-    case MapCodec::webp:
-      return ImageCodec::webp;
-    case MapCodec::avif:
-      return ImageCodec::avif;
-    case MapCodec::jpeg:
-      return ImageCodec::jpeg;
-    case MapCodec::png:
-      return ImageCodec::png;
-    default:
-      return std::nullopt;
   }
 }
 
@@ -111,7 +97,7 @@ Json write_material(GltfDocument& document, BakedModel const& model, EncodedImag
   if (model.normal)
     material["normalTexture"] = write_map(document, encode_normal(*model.normal, options), sizes.normal);
   if (model.occlusion)
-    material["occlusionTexture"] = write_map(document, encode_colour(*model.occlusion, options), sizes.occlusion);
+    material["occlusionTexture"] = write_map(document, code_colour(*model.occlusion, options).image, sizes.occlusion);
   if (model.alpha == AlphaMode::blend) material["alphaMode"] = "BLEND";
   if (model.alpha == AlphaMode::mask) {
     material["alphaMode"] = "MASK";
@@ -154,45 +140,17 @@ EncodedThumbnail finish(GltfDocument& document, WrittenGeometry const& geometry,
   return thumbnail;
 }
 
-struct CodedColour {
-  EncodedImage image;
-  int quality = 0;
-};
-
-CodedColour code_colour(Image const& map, EncodeOptions const& options) {
-  return {encode_colour(map, options), options.colour_quality};
-}
-
-/// The highest quality whose bytes fit into `room`, to one part in fifty; the lowest where none does. `coded`: a first try.
-/// The logarithm of the bytes rises with the quality about as a line does.
-CodedColour code_colour_within(std::size_t room, Image const& map, EncodeOptions options, CodedColour coded) {
-  constexpr int kLowest = 5, kHighest = 95;
-  constexpr double kRise = 0.025, kNear = 0.98;
-  std::optional<CodedColour> best;
-  for (int low = kLowest, high = kHighest;;) {
-    double const filled = double(coded.image.bytes.size()) / double(std::max<std::size_t>(room, 1));
-    bool const fits = filled <= 1;
-    (fits ? low : high) = coded.quality + (fits ? 1 : -1);
-    int const step = int(std::lround(-std::log(filled / kNear) / kRise)), next = coded.quality + step;
-    if (fits || coded.quality <= kLowest) best = std::move(coded);
-    if (low > high || (fits && filled >= kNear)) return *best;
-    options.colour_quality = std::clamp(next, low, high);
-    coded = code_colour(map, options);
-  }
+/// Of the file without the colour map's own bytes; where its size has more digits, JSON has too.
+std::size_t bytes_beside_colour(EncodedThumbnail const& without) {
+  constexpr std::size_t kDigits = 16;
+  return without.glb.size() + kDigits;
 }
 
 }  // namespace
 
-EncodedImage encode_colour(Image const& map, EncodeOptions const& options) {
-  ImageCodec const usual = options.profile == Profile::plain ? ImageCodec::jpeg : ImageCodec::webp;
-  if (std::optional<ImageCodec> const codec = asked_for(options.colour_codec))
-    return encode_image(map, {*codec, options.colour_quality});
-  return encode_map(map, {usual, options.colour_quality});
-}
-
 EncodedImage encode_normal(Image const& map, EncodeOptions const& options) {
   ImageCodec const usual = options.profile == Profile::plain ? ImageCodec::png : ImageCodec::webp;
-  if (std::optional<ImageCodec> const codec = asked_for(options.normal_codec))
+  if (std::optional<ImageCodec> const codec = codec_asked_for(options.normal_codec))
     return encode_image(map, {*codec, options.normal_quality, true});
   return encode_map(map, {usual, options.normal_quality});
 }
@@ -208,14 +166,12 @@ EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeO
     return finish(document, geometry, model, colour, options);
   };
   CodedColour colour;
-  if (model.colour && !model.palette) colour = code_colour(*model.colour, options);
-  EncodedThumbnail thumbnail = with_colour(colour.image);
-  if (most_bytes != kAnySize && colour.quality > 0) {
-    constexpr std::size_t kPadding = 3;
-    std::size_t const rest = thumbnail.glb.size() - thumbnail.colour + kPadding;
-    colour = code_colour_within(most_bytes - std::min(rest, most_bytes), *model.colour, options, std::move(colour));
-    thumbnail = with_colour(colour.image);
+  if (model.colour && !model.palette) {
+    std::size_t const rest = bytes_beside_colour(with_colour({"image/webp", {}}));
+    colour = most_bytes == kAnySize ? code_colour(*model.colour, options)
+                                    : code_colour_within(most_bytes - std::min(rest, most_bytes), *model.colour, options);
   }
+  EncodedThumbnail thumbnail = with_colour(colour.image);
   thumbnail.colour_quality = colour.quality;
   if (options.x3dom) {
     thumbnail.x3d = write_x3d(model, title, options);

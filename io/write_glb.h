@@ -56,9 +56,8 @@ struct EncodeOptions {
   }
 };
 
-/// The maps as every file of a thumbnail holds them: as the profile says, or as JPEG where that comes nearer in no more
-/// bytes (map_codec.h); a codec that is asked for is used as it is, for normals with full chroma where it can.
-EncodedImage encode_colour(Image const& map, EncodeOptions const& options);
+/// The normal map as every file of a thumbnail holds it: as the profile says, or as JPEG where that comes nearer in no more
+/// bytes (map_codec.h); a codec that is asked for is used as it is, with full chroma where it can.
 EncodedImage encode_normal(Image const& map, EncodeOptions const& options);
 
 inline constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();

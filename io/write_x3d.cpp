@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/write_x3d.h"
 
+#include "io/colour_map.h"
 #include "io/mesh_codec.h"
 
 #include <nlohmann/json.hpp>
@@ -201,7 +202,7 @@ std::vector<NamedFile> write_x3d(BakedModel const& model, std::string_view title
   if (!mesh.uvs.empty()) files.push_back({"texcoord.bin", texture_coordinates(mesh)});
   if (!mesh.colours.empty()) files.push_back({"colour.bin", colours(mesh, model.base_colour)});
   Maps maps;
-  if (model.colour) maps.colour = add_map(files, "colour", encode_colour(*model.colour, options));
+  if (model.colour) maps.colour = add_map(files, "colour", code_colour(*model.colour, options).image);
   if (model.derived_normal) maps.normal = add_map(files, "normal", encode_normal(*model.derived_normal, options));
   std::string const html = page(model, mesh, maps, title);
   auto const* begin = reinterpret_cast<std::byte const*>(html.data());
