@@ -174,7 +174,9 @@ EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeO
   EncodedThumbnail thumbnail = with_colour(colour.image);
   thumbnail.colour_quality = colour.quality;
   if (options.x3dom) {
-    thumbnail.x3d = write_x3d(model, title, options);
+    EncodeOptions same_map = options;
+    if (colour.quality > 0) same_map.colour_quality = colour.quality;
+    thumbnail.x3d = write_x3d(model, title, same_map);
     thumbnail.x3d_zip = zip(thumbnail.x3d);
   }
   return thumbnail;
