@@ -3,6 +3,7 @@
 
 #include "stages/byte_model.h"
 #include "stages/error.h"
+#include "stages/landing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,10 @@
 namespace vitrine {
 namespace {
 
-// Measured on scans: near any number of bytes, error falls with their power.
-constexpr double kErrorPower = 1.2;
 constexpr double kFill = 0.975;     ///< of the ceiling: what explorations aim for
-constexpr double kLand = 0.99;      ///< of the ceiling: what the last trials aim for
-constexpr double kFull = 0.97;      ///< of the ceiling: a file this large leaves nothing to gain
 constexpr double kFirstKb = 8;      ///< where a search by error begins
 constexpr double kMiss = 0.12;      ///< relative: a trial this far from what was aimed at is asked again
-constexpr double kHopeless = 0.7;  ///< in the cost's logarithm: what is so much worse is not asked again
+constexpr double kHopeless = 0.7;   ///< in the cost's logarithm: what is so much worse is not asked again
 constexpr double kMapShare = 0.5;   ///< of the bytes: for a first map
 constexpr int kUsualQuality = 50;   ///< of a map that does not fill the ceiling, to begin with
 constexpr int kLargestTexture = 8192;
@@ -301,11 +298,12 @@ class Search {
   // ---- The end: as many triangles as the limit allows, or as few as it needs
 
   std::optional<Recipe> land() {
+    Landing const limits{ceiling(), options_.max_error, kFewest, most()};
     std::vector<Trial> like;
     for (std::size_t i = 0; i < answered_; ++i)
       if (is_like(history_[i])) like.push_back(history_[i]);
     for (int landing = 0; landing < kLandings && !like.empty(); ++landing) {
-      std::optional<int> const triangles = options_.max_error > 0 ? for_error(like) : for_bytes(like);
+      std::optional<int> const triangles = options_.max_error > 0 ? triangles_for_error(like, limits) : triangles_for_bytes(like, limits);
       if (!triangles) return {};
       Recipe recipe = best();
       recipe.triangles = *triangles;
@@ -322,46 +320,6 @@ class Search {
     Recipe recipe = trial.recipe;
     recipe.triangles = best().triangles;
     return recipe == best() && !std::isinf(trial.error);
-  }
-
-  /// Between the largest file that fits and the smallest that does not.
-  std::optional<int> for_bytes(std::span<Trial const> like) const {
-    Trial const *below = nullptr, *above = nullptr;
-    for (Trial const& t : like) {
-      bool const fits = double(t.bytes) <= ceiling();
-      if (fits && (!below || t.recipe.triangles > below->recipe.triangles)) below = &t;
-      if (!fits && (!above || t.recipe.triangles < above->recipe.triangles)) above = &t;
-    }
-    if (below && (is_whole(*below) || double(below->bytes) >= kFull * ceiling())) return {};
-    Trial const& from = below ? *below : *above;
-    if (!below && from.recipe.triangles <= kFewest) return {};
-    double const rate = below && above ? (double(above->bytes) - double(below->bytes)) /
-                                             double(above->recipe.triangles - below->recipe.triangles)
-                                       : bytes_per_triangle(from);
-    int const triangles = from.recipe.triangles + int((kLand * ceiling() - double(from.bytes)) / std::max(0.1, rate));
-    int const low = below ? below->recipe.triangles + 1 : kFewest, high = above ? above->recipe.triangles - 1 : most();
-    if (low > high) return {};
-    return std::clamp(triangles, low, high);
-  }
-
-  /// By the power law through the nearest trials; done within 4 % of the limit.
-  std::optional<int> for_error(std::span<Trial const> like) const {
-    Trial const *good = nullptr, *bad = nullptr;
-    for (Trial const& t : like) {
-      bool const fits = t.error <= options_.max_error;
-      if (fits && (!good || t.recipe.triangles < good->recipe.triangles)) good = &t;
-      if (!fits && (!bad || t.recipe.triangles > bad->recipe.triangles)) bad = &t;
-    }
-    if (good && (good->error >= 0.96 * options_.max_error || good->recipe.triangles <= kFewest)) return {};
-    if (!good && is_whole(*bad)) return {};
-    Trial const& from = good ? *good : *bad;
-    auto const log_ratio = [](double a, double b) { return std::log(std::max(a, 1e-6) / std::max(b, 1e-6)); };
-    double power = kErrorPower;
-    if (good && bad) power = log_ratio(bad->error, good->error) / log_ratio(good->recipe.triangles, bad->recipe.triangles);
-    double const factor = std::exp(log_ratio(from.error, 0.98 * options_.max_error) / std::max(power, 0.1));
-    int const low = bad ? bad->recipe.triangles + 1 : kFewest, high = good ? good->recipe.triangles - 1 : most();
-    if (low > high) return {};
-    return std::clamp(int(std::min(from.recipe.triangles * factor, 1e6)), low, high);
   }
 
   bool is_tried(Recipe const& recipe) const {
