@@ -5,6 +5,7 @@
 #include "io/read_model.h"
 #include "io/write_glb.h"
 #include "stages/bake.h"
+#include "stages/cluster.h"
 #include "stages/fit.h"
 #include "stages/pack.h"
 #include "stages/quantize.h"
@@ -33,6 +34,7 @@ struct PublishOptions {
 /// What happens to each model. All of it changes the files that come out.
 struct ModelOptions {
   io::ReadOptions read;
+  ClusterOptions cluster;
   FitOptions fit;
   SimplifyOptions simplify{.triangles = 0};
   SegmentOptions segment;
@@ -50,6 +52,7 @@ inline bool searches(ModelOptions const& options) { return options.simplify.tria
 /// visit(group, options struct) for each struct with fields, in the order of the stages.
 template <class Self, class Visitor>
 void option_groups(Self& self, Visitor&& visit) {
+  visit("Cluster", self.cluster);
   visit("Fit", self.fit);
   visit("Simplify", self.simplify);
   visit("Segment", self.segment);

@@ -33,11 +33,16 @@ using In = std::shared_ptr<T const>;
 // ---- Before and after
 // -------------------------------------------------------------------------------------------------
 
+std::uint64_t memory_of(io::Estimate const& estimate, ClusterOptions const& options) {
+  bool const thinned = estimate.thinned > 0 && estimate.triangles > std::uint64_t(options.above);
+  return thinned ? std::min(estimate.thinned, estimate.memory) : estimate.memory;
+}
+
 /// What is known of a model before it is opened.
-JobPtr arrive(io::ArchiveEntry const& entry) {
+JobPtr arrive(io::ArchiveEntry const& entry, ClusterOptions const& clusters) {
   auto job = std::make_shared<Job>();
   job->entry = &entry;
-  job->memory = entry.estimate.memory;
+  job->memory = memory_of(entry.estimate, clusters);
   ModelRow& row = job->row;
   row.input = entry.path;
   row.slug = entry.slug;
@@ -112,7 +117,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   };
 
   flow::input_node<Event> discover(g, [&, next = std::size_t{0}](tbb::flow_control& control) mutable -> Event {
-    if (next < archive.entries.size()) return arrive(archive.entries[next++]);
+    if (next < archive.entries.size()) return arrive(archive.entries[next++], options.cluster);
     control.stop();
     return {};
   });
@@ -133,7 +138,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
     }
   });
   auto load = node.operator()<Admitted, CleanModel>(
-      2, "load", [&](In<Admitted> const&, Job& job) { return load_model(job, options.read); });
+      2, "load", [&](In<Admitted> const&, Job& job) { return load_model(job, options); });
   auto survey_ = node.operator()<CleanModel, Surveyed>(flow::unlimited, "survey", [&](In<CleanModel> const& in, Job& job) {
     job.original = std::make_shared<Original const>(survey_model(in, options));
     return Surveyed{};

@@ -11,6 +11,7 @@ namespace {
 ModelOptions paper(ModelOptions options) {
   options.simplify.triangles = 3000;
   options.simplify.decimator = Decimator::openmesh;
+  options.cluster.above = 2'000'000'000;
   options.pack.texture = 256;
   options.pack.packing = Packing::boxes;
   options.quantize.position_bits = 16;

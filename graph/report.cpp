@@ -151,6 +151,10 @@ json outcome_json(ModelRow const& row) {
        {{"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}}}};
   if (row.recipe) out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe)}};
   if (row.x3d_bytes > 0) out["x3dBytes"] = row.x3d_bytes;
+  if (row.thinned_triangles > 0) {
+    out["thinned"] = {{"triangles", row.thinned_triangles}};
+    if (row.thinning_mse1e4) out["thinned"]["mse1e4"] = *row.thinning_mse1e4;
+  }
   if (!row.measurement) return out;
   out["measure"] = measure_json(*row.measurement);
   out["series"] = to_json(row.series);

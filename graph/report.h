@@ -60,6 +60,8 @@ struct ModelRow : Made {
   io::Dependencies dependencies;
   std::uint64_t input_bytes = 0, memory = 0;  ///< memory: as admitted
   std::uint64_t source_triangles = 0, source_vertices = 0;
+  std::uint64_t thinned_triangles = 0;  ///< what clustering left of them; 0: all
+  std::optional<double> thinning_mse1e4;  ///< pictures of what it left against those of all, where it was measured
   bool source_coloured = false;
   io::UpAxis up = io::UpAxis::y;  ///< of the original
   Repairs repairs;

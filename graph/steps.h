@@ -19,7 +19,7 @@ struct Finished {
   std::optional<SeriesFiles> series;
 };
 
-CleanModel load_model(Job& job, io::ReadOptions const& options);
+CleanModel load_model(Job& job, ModelOptions const& options);
 Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options);
 Levels simplify_model(Original const& original, ModelOptions const& options);
 Subject subject_of(Original const& original, Levels const& levels, ModelOptions const& options);

@@ -17,6 +17,7 @@ enum class UpAxis { y, z };
 struct Estimate {
   std::uint64_t triangles = 0;
   std::uint64_t memory = 0;   ///< bytes at the peak of the pipeline
+  std::uint64_t thinned = 0;  ///< the same where it is clustered first; 0: it may have textures, and is not
 };
 
 /// One model of the archive.

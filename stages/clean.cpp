@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -179,31 +180,6 @@ std::uint64_t turn_round(SourceModel& model) {
   return triangles.size();
 }
 
-std::vector<V3f> smooth_normals(TriMesh const& mesh, std::vector<std::uint32_t> const& places) {
-  std::vector<V3f> normals(mesh.positions.size(), V3f(0));
-  // Areas as shares of the largest face's: no model is too small or too large for the sums in float.
-  double const largest = parallel_reduce(
-      mesh.triangles.size(), kGrain, 0.0,
-      [&](std::size_t begin, std::size_t end) {
-        double most = 0;
-        for (std::size_t f = begin; f < end; ++f) most = std::max(most, area_vector(mesh, mesh.triangles[f]).length());
-        return most;
-      },
-      [](double total, double part) { return std::max(total, part); });
-  double const scale = largest > 0 ? 1 / largest : 0;
-  for (Triangle const& t : mesh.triangles) {
-    V3f const normal(area_vector(mesh, t) * scale);
-    for (std::uint32_t v : t) normals[places[v]] += normal;
-  }
-  parallel_for(normals.size(), kGrain, [&](std::size_t v) {
-    if (places[v] == v) normals[v] = normals[v].length() > 0 ? normals[v].normalized() : V3f(0, 1, 0);
-  });
-  parallel_for(normals.size(), kGrain, [&](std::size_t v) {
-    if (places[v] != v) normals[v] = normals[places[v]];
-  });
-  return normals;
-}
-
 /// Makes normals unit; those without a direction become zero. Returns how many those are.
 std::uint64_t make_unit(std::vector<V3f>& normals) {
   std::uint64_t without = 0;
@@ -242,6 +218,31 @@ bool drop_unused_vertices(SourceModel& model) {
 }
 
 }  // namespace
+
+std::vector<V3f> smooth_normals(TriMesh const& mesh, std::vector<std::uint32_t> const& places) {
+  std::vector<V3f> normals(mesh.positions.size(), V3f(0));
+  // Areas as shares of the largest face's: no model is too small or too large for the sums in float.
+  double const largest = parallel_reduce(
+      mesh.triangles.size(), kGrain, 0.0,
+      [&](std::size_t begin, std::size_t end) {
+        double most = 0;
+        for (std::size_t f = begin; f < end; ++f) most = std::max(most, area_vector(mesh, mesh.triangles[f]).length());
+        return most;
+      },
+      [](double total, double part) { return std::max(total, part); });
+  double const scale = largest > 0 ? 1 / largest : 0;
+  for (Triangle const& t : mesh.triangles) {
+    V3f const normal(area_vector(mesh, t) * scale);
+    for (std::uint32_t v : t) normals[places[v]] += normal;
+  }
+  parallel_for(normals.size(), kGrain, [&](std::size_t v) {
+    if (places[v] == v) normals[v] = normals[v].length() > 0 ? normals[v].normalized() : V3f(0, 1, 0);
+  });
+  parallel_for(normals.size(), kGrain, [&](std::size_t v) {
+    if (places[v] != v) normals[v] = normals[places[v]];
+  });
+  return normals;
+}
 
 CleanModel clean(SourceModel source) {
   CleanModel result{std::move(source), {}, false};
@@ -286,6 +287,13 @@ TriMesh weld(SourceModel const& model) {
   for (Triangle const& t : model.mesh.triangles)
     if (Triangle const joined = placed(t, renamed); !collapsed(joined)) welded.triangles.push_back(joined);
   return welded;
+}
+
+std::vector<std::uint32_t> merged_places(TriMesh const& mesh) {
+  if (mesh.positions.size() > mesh.triangles.size()) return find_places(mesh.positions);
+  std::vector<std::uint32_t> self(mesh.positions.size());
+  std::iota(self.begin(), self.end(), 0u);
+  return self;
 }
 
 std::vector<V3f> smooth_normals(TriMesh const& mesh) { return smooth_normals(mesh, find_places(mesh.positions)); }

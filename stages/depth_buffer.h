@@ -24,7 +24,7 @@ struct Lens {
 /// Source: Pineda 1988, "A Parallel Algorithm for Polygon Rasterization", with vertices on a grid of 1/256 sample, so
 ///         that faces which share an edge leave no gap.
 /// Cost:   linear in faces (15 ns for those smaller than a sample) and in the samples that they cover; 8 bytes per
-///         sample. From a million faces on, rays are faster once their tree is there.
+///         sample.
 class DepthBuffer {
  public:
   static constexpr std::uint32_t kNothing = 0xffffffffu;

@@ -17,7 +17,6 @@ namespace {
 constexpr int kMostLayers = 64;  ///< transparent ones that a ray passes before it sees the background
 constexpr float kGrey = 0.5f;
 constexpr std::size_t kManyFaces = 50'000;  ///< from here on, samples seldom share a face
-constexpr std::size_t kMostFaces = std::size_t{1} << 20;  ///< beyond, a ray finds its face sooner than all are drawn
 
 /// One sample as the client's frame buffer holds it.
 using Texel = std::array<std::uint8_t, 4>;
@@ -105,7 +104,7 @@ class Painter {
     Image picture{options_.size, options_.size, 4, ColourSpace::srgb, {}};
     for (int i = 0; i < options_.size * options_.size; ++i)
       picture.texels.insert(picture.texels.end(), kNothing.begin(), kNothing.end());
-    if (first_face_is_all() && buffer.draw(model_.model->mesh, lens_))
+    if (model_.surface.alpha() == AlphaMode::opaque && buffer.draw(model_.model->mesh, lens_))
       draw_faces(buffer, picture);
     else
       trace(picture);
@@ -113,10 +112,6 @@ class Painter {
   }
 
  private:
-  bool first_face_is_all() const {
-    return model_.surface.alpha() == AlphaMode::opaque && model_.model->mesh.triangles.size() <= kMostFaces;
-  }
-
   void draw_faces(DepthBuffer const& buffer, Image& picture) const {
     if (buffer.right() < buffer.left() || buffer.bottom() < buffer.top()) return;
     int const n = options_.supersample, top = buffer.top() / n, left = buffer.left() / n;

@@ -33,8 +33,8 @@ struct PictureOptions {
 /// 800 x 800 screenshots to 200 x 200. Both sides of a surface are drawn; what cuts out lets the sight pass, what blends
 /// is laid over what lies behind it.
 /// In:     `model` need not be clean (a thumbnail is drawn as it is): without normals it is drawn flat.
-/// Cost:   all views in parallel; the same bytes at any thread count. Opaque models of up to a million faces go through a
-///         depth buffer, the others through rays.
+/// Cost:   all views in parallel; the same bytes at any thread count. Opaque models go through a depth buffer, the others
+///         through rays.
 std::vector<Image> render(SurveyedModel const& model, std::vector<Camera> const& cameras,
                           PictureOptions const& options);
 
