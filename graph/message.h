@@ -5,6 +5,7 @@
 
 #include "graph/report.h"
 #include "graph/study.h"
+#include "graph/trace.h"
 #include "io/archive.h"
 #include "stages/measure.h"
 #include "stages/own_texture.h"
@@ -38,6 +39,9 @@ struct Levels {
 struct Job {
   io::ArchiveEntry const* entry = nullptr;
   std::uint64_t memory = 0;  ///< bytes that it was admitted with
+  std::size_t number = 0;    ///< in the archive
+  Trace* trace = nullptr;    ///< where one is kept
+  Trace::Clock::time_point admitted{}, ready{};  ///< ready: since then it waits for its next stage
   ModelRow row;
   std::shared_ptr<Original const> original;
   std::shared_ptr<Levels const> levels;

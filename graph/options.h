@@ -69,6 +69,7 @@ struct RunOptions {
   int threads = 0;           ///< 0: all cores
   std::uint64_t memory = 0;  ///< bytes that the program may take; 0: default_memory()
   std::filesystem::path gallery;
+  std::filesystem::path trace{};  ///< where to write what happened when; empty: nowhere
 };
 
 }  // namespace vitrine::graph

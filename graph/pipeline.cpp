@@ -5,12 +5,15 @@
 #include "graph/message.h"
 #include "graph/stage_body.h"
 #include "graph/steps.h"
+#include "graph/trace.h"
+#include "io/publish.h"
 
 #include <oneapi/tbb/flow_graph.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -111,6 +114,9 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   Admission admission(memory, 2 * threads);
   auto const number = [&](JobPtr const& job) { return std::size_t(job->entry - archive.entries.data()); };
 
+  std::optional<Trace> trace;
+  if (!run.trace.empty()) trace.emplace();
+
   flow::graph g;
   auto const node = [&g]<class From, class To>(std::size_t concurrency, std::string_view name, auto body) {
     return flow::function_node<Message<From>, Message<To>>(g, concurrency, stage<From, To>(name, body));
@@ -132,10 +138,14 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
     }
     for (std::size_t id : admission.admit()) {
       JobPtr job = std::move(waiting[id]);
+      job->number = id;
+      job->trace = trace ? &*trace : nullptr;
+      job->admitted = job->ready = Trace::Clock::now();
       Message<Admitted> message{job, std::make_shared<Admitted const>()};
       if (job->memory == 0) message.value = too_large(job->row.memory + kProgramMemory, allowed);
       std::get<0>(out).try_put(message);
     }
+    if (trace) trace->memory(admission.memory_in_use(), admission.models_in_flight());
   });
   auto load = node.operator()<Admitted, CleanModel>(
       2, "load", [&](In<Admitted> const&, Job& job) { return load_model(job, options); });
@@ -204,6 +214,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
                                                         [&](Message<Published> const& message) -> Event {
                                                           std::size_t const id = number(message.job);
                                                           rows[id] = finish(message);
+                                                          if (trace) trace->model(id, rows[id].input, message.job->admitted, Trace::Clock::now());
                                                           if (finished) finished(rows[id], id);
                                                           return Left{message.job->memory};
                                                         });
@@ -231,6 +242,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   flow::make_edge(report, admit);  // memory given back
   discover.activate();
   g.wait_for_all();
+  if (trace) io::publish_file(run.trace, trace->json());
   return rows;
 }
 

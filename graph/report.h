@@ -73,6 +73,7 @@ struct ModelRow : Made {
   std::optional<Verdict> verdict;
 
   std::vector<std::pair<std::string, double>> seconds;  ///< wall time per stage, in order; waiting excluded
+  std::vector<std::pair<std::string, double>> waiting;  ///< wall time before each stage, from admission on
 };
 
 /// One line for people: "error: office/ch_03.obj: segment: …; try …".

@@ -6,12 +6,17 @@
 #include "graph/message.h"
 #include "stages/error.h"
 
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace vitrine::graph {
 
@@ -34,13 +39,24 @@ inline Failure current_failure(std::string_view stage) {
 }
 
 /// A stage that a search repeats has one sum.
-inline void add_seconds(ModelRow& row, std::string_view stage, double seconds) {
-  for (auto& [name, sum] : row.seconds)
+inline void add_seconds(std::vector<std::pair<std::string, double>>& sums, std::string_view stage,
+                        Trace::Clock::duration spent) {
+  double const seconds = std::chrono::duration<double>(spent).count();
+  for (auto& [name, sum] : sums)
     if (name == stage) {
       sum += seconds;
       return;
     }
-  row.seconds.emplace_back(stage, seconds);
+  sums.emplace_back(stage, seconds);
+}
+
+/// The one place where stages meet a clock.
+inline void note_stage(Job& job, std::string_view stage, Trace::Clock::time_point begin) {
+  auto const end = Trace::Clock::now();
+  add_seconds(job.row.seconds, stage, end - begin);
+  add_seconds(job.row.waiting, stage, begin - job.ready);
+  job.ready = end;
+  if (job.trace) job.trace->stage(job.number, stage, std::max(0, tbb::this_task_arena::current_thread_index()), begin, end);
 }
 
 /// body(std::shared_ptr<In const> const&, Job&) -> Out, as the body of a node from Message<In> to Message<Out>.
@@ -48,15 +64,14 @@ template <class In, class Out, class Body>
 auto stage(std::string_view name, Body body) {
   return [name, body](Message<In> const& in) -> Message<Out> {
     if (auto const* failure = std::get_if<Failure>(&in.value)) return {in.job, *failure};
-    auto const start = std::chrono::steady_clock::now();
+    auto const begin = Trace::Clock::now();
     Message<Out> out{in.job, Failure{}};
     try {
       out.value = std::make_shared<Out const>(body(std::get<std::shared_ptr<In const>>(in.value), *in.job));
     } catch (...) {
       out.value = current_failure(name);
     }
-    std::chrono::duration<double> const spent = std::chrono::steady_clock::now() - start;
-    add_seconds(in.job->row, name, spent.count());
+    note_stage(*in.job, name, begin);
     return out;
   };
 }

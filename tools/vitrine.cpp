@@ -57,6 +57,7 @@ Verb convert_verb(CLI::App& app) {
   app.add_option("--exclude", command->reading.exclude, "pass over paths that match; may be repeated")
       ->type_name("GLOB");
   add_machine(app, command->run);
+  app.add_option("--trace", command->run.trace, "write what each thread and model did when, for ui.perfetto.dev")->type_name("FILE.json");
   tools::add_model_flags(app, command->model);
   return [command] { return tools::convert(*command); };
 }
