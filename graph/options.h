@@ -20,6 +20,7 @@ namespace vitrine::graph {
 struct PublishOptions {
   bool certificate = true;
   bool series = false;
+  int series_rows = 1;
   int viewport = 200;
 
   template <class Self, class Visitor>
@@ -27,6 +28,7 @@ struct PublishOptions {
     visit(self.certificate,
           Field{"certificate", "", "measure each written file against its original and write certificate.json"});
     visit(self.series, Field{"series", "", "write the rival, too: a turntable of pictures in series/"});
+    visit(self.series_rows, Field{"series-rows", "rows", "of such a series: further turns, evenly up to 80 degrees above the horizon", 1, 8});
     visit(self.viewport, Field{"viewport", "pixels", "side of the pictures that are measured, and of poster.jpg", 11, 1024});
   }
 };

@@ -75,6 +75,10 @@ json verdict_json(Verdict const& verdict) {
   return out;
 }
 
+json sphere_json(BoundingSphere const& sphere) {
+  return {{"centre", {sphere.centre.x, sphere.centre.y, sphere.centre.z}}, {"radius", sphere.radius}};
+}
+
 json row_json(ModelRow const& row) {
   json out = {{"input", row.input}, {"title", row.title}, {"status", row.status}};
   if (row.status != "done") {
@@ -159,6 +163,8 @@ json outcome_json(ModelRow const& row) {
     out["thinned"] = {{"triangles", row.thinned_triangles}};
     if (row.thinning_mse1e4) out["thinned"]["mse1e4"] = *row.thinning_mse1e4;
   }
+  if (auto const& s = row.series_written) out["seriesFiles"] = {{"frames", s->frames}, {"rows", s->rows}, {"bytes", s->bytes}};
+  if (row.sphere) out["sphere"] = sphere_json(*row.sphere);
   if (!row.measurement) return out;
   out["measure"] = measure_json(*row.measurement);
   out["series"] = to_json(row.series);
@@ -224,13 +230,19 @@ json gallery_json(std::vector<ModelRow> const& rows) {
   json objects = json::array();
   for (ModelRow const& row : rows) {
     if (row.status != "done") continue;
-    objects.push_back({{"slug", row.slug},
-                       {"title", row.title},
-                       {"thumb", row.thumb},
-                       {"poster", row.poster},
-                       {"bytes", row.bytes.total},
-                       {"triangles", row.triangles},
-                       {"metadata", row.metadata}});
+    json object = {{"slug", row.slug},
+                   {"title", row.title},
+                   {"thumb", row.thumb},
+                   {"poster", row.poster},
+                   {"bytes", row.bytes.total},
+                   {"triangles", row.triangles}};
+    if (row.measurement) object["mse1e4"] = row.measurement->mean.mse1e4;
+    if (row.sphere) object["sphere"] = sphere_json(*row.sphere);
+    if (auto const& s = row.series_written)
+      object["series"] = {
+          {"manifest", row.series_folder + "/series.json"}, {"frames", s->frames}, {"rows", s->rows}, {"bytes", s->bytes}};
+    object["metadata"] = row.metadata;
+    objects.push_back(std::move(object));
   }
   return {{"schema", 1}, {"objects", std::move(objects)}};
 }

@@ -56,6 +56,13 @@ struct ModelRow : Made {
   Failure failure;                ///< of a failed one
   std::string thumb, poster, series_folder, x3d, x3d_zip, certificate;  ///< paths in the gallery, of a finished one; "": not written
 
+  struct SeriesWritten {
+    int frames = 0, rows = 0;
+    std::size_t bytes = 0;
+  };
+  std::optional<SeriesWritten> series_written;  ///< what lies in series_folder
+  std::optional<BoundingSphere> sphere;  ///< about the original, of a finished one: the measure's and the poster's cameras follow from it
+
   std::string input_hash;
   io::Dependencies dependencies;
   std::uint64_t input_bytes = 0, memory = 0;  ///< memory: as admitted
@@ -95,7 +102,7 @@ std::string report_csv(std::vector<ModelRow> const& rows);
 /// A report's file: indented, invalid UTF-8 replaced, so that any name can stand in it.
 std::string to_text(nlohmann::ordered_json const& json);
 
-/// gallery.json (schema 1): what the gallery page shows.
+/// gallery.json (schema 1): what the gallery page shows of each finished model.
 nlohmann::ordered_json gallery_json(std::vector<ModelRow> const& rows);
 
 }  // namespace vitrine::graph

@@ -303,7 +303,9 @@ Finished certify(EncodedThumbnail const& thumbnail, PublishOptions const& option
     row.verdict = verdict(row.bytes.total, row.measurement->mean.mse1e4, rivals(row.series));
   }
   Finished finished{thumbnail, std::move(drawn.front()), {}};
-  if (options.series) finished.series = series_files(job.original->model, reference, SeriesOptions{});
+  row.sphere = reference.sphere;
+  if (options.series)
+    finished.series = series_files(job.original->model, reference, SeriesOptions{.rows = options.series_rows});
   return finished;
 }
 
@@ -317,6 +319,8 @@ void publish_model(Finished const& finished, ModelOptions const& options, fs::pa
   publish_x3d(finished.thumbnail, gallery, folder, row);
   if (finished.series) {
     row.series_folder = folder / "series";
+    auto const& manifest = finished.series->manifest;
+    row.series_written = {manifest["frames"], manifest["rows"], manifest["bytes"]};
     publish_series(gallery / row.series_folder, *finished.series);
   }
   if (row.measurement) {

@@ -5,9 +5,11 @@
 #include "io/publish.h"
 #include "stages/error.h"
 #include "tools/command_line.h"
+#include "tools/gallery_page.h"
 #include "tools/printable.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 
@@ -29,37 +31,15 @@ std::vector<double> costs(io::Archive const& archive) {
   return costs;
 }
 
-/// The folder that holds the built gallery page: beside the program as built, or where it is installed.
-fs::path page_folder() {
-  fs::path const program = fs::read_symlink("/proc/self/exe").parent_path();
-  for (fs::path const& folder : {program / "viewer", program / "../share/vitrine/viewer"})
-    if (fs::exists(folder / "index.html")) return folder;
-  return {};
-}
-
-/// The page is index.html at the gallery's root and everything else in viewer/; X3DOM only where there are pages for it.
-void publish_page(fs::path const& gallery, bool x3dom) {
-  fs::path const page = page_folder();
-  if (page.empty()) {
-    fmt::print(stderr, "note: this build has no gallery page (build the target viewer); index.html is not written\n");
-    return;
-  }
-  for (fs::directory_entry const& entry : fs::recursive_directory_iterator(page)) {
-    if (!entry.is_regular_file()) continue;
-    fs::path const name = fs::relative(entry.path(), page);
-    if (!x3dom && *name.begin() == "x3dom") continue;
-    io::publish_file(name == "index.html" ? gallery / name : gallery / "viewer" / name,
-                     io::map_file(entry.path()).bytes);
-  }
-}
-
 void publish_reports(ConvertCommand const& command, std::vector<graph::ModelRow> const& rows, double seconds) {
   fs::path const& gallery = command.run.gallery;
   std::string const archive = fs::absolute(command.archive).lexically_normal();
-  io::publish_file(gallery / "report.json",
-                   graph::to_text(graph::report_json(rows, archive, graph::options_json(command.model), seconds)));
+  nlohmann::ordered_json report = graph::report_json(rows, archive, graph::options_json(command.model), seconds);
+  nlohmann::ordered_json shown = graph::gallery_json(rows);
+  report["page"] = shown["page"] = page_weight(gallery, rows, page_sizes());
+  io::publish_file(gallery / "report.json", graph::to_text(report));
   io::publish_file(gallery / "report.csv", graph::report_csv(rows));
-  io::publish_file(gallery / "gallery.json", graph::to_text(graph::gallery_json(rows)));
+  io::publish_file(gallery / "gallery.json", graph::to_text(shown));
 }
 
 void print_summary(std::vector<graph::ModelRow> const& rows, fs::path const& gallery, double seconds) {
@@ -101,7 +81,7 @@ int convert(ConvertCommand const& command) {
   }
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   publish_reports(command, rows, seconds);
-  publish_page(command.run.gallery, command.model.encode.x3dom);
+  publish_page(command.run.gallery, rows, command.model.encode.x3dom);
   print_summary(rows, command.run.gallery, seconds);
   bool const all = std::all_of(rows.begin(), rows.end(), [](auto const& row) { return row.status == "done"; });
   return all ? kComplete : kSomeFailed;

@@ -67,6 +67,22 @@ TEST(Report, GalleryShowsWhatIsDone) {
   ASSERT_EQ(json["objects"].size(), 1);
   EXPECT_EQ(json["objects"][0]["title"], "Lion");
   EXPECT_EQ(json["objects"][0]["bytes"], 10);
+  EXPECT_FALSE(json["objects"][0].contains("mse1e4") || json["objects"][0].contains("series"));
+}
+
+TEST(Report, GallerySaysHowGoodItIsAndFromWhereItIsSeen) {
+  ModelRow row = done();
+  row.measurement.emplace().mean.mse1e4 = 1.5;
+  row.sphere = {{1, 2, 3}, 4};
+  row.series_folder = "models/a-lion-01234567/series";
+  row.series_written = {32, 4, 1000};
+  auto const object = gallery_json({row})["objects"][0];
+  EXPECT_EQ(object["mse1e4"], 1.5);
+  EXPECT_EQ(object["sphere"]["centre"].dump(), "[1.0,2.0,3.0]");
+  EXPECT_EQ(object["sphere"]["radius"], 4);
+  EXPECT_EQ(object["series"]["manifest"], "models/a-lion-01234567/series/series.json");
+  EXPECT_EQ(object["series"]["rows"], 4);
+  EXPECT_EQ(object["series"]["bytes"], 1000);
 }
 
 }  // namespace
