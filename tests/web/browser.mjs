@@ -3,14 +3,16 @@
 import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
+import zlib from 'node:zlib';
 import { chromium } from 'playwright-core';
 
 const TYPES = {
   '.html': 'text/html', '.css': 'text/css', '.json': 'application/json', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm', '.glb': 'model/gltf-binary',
+  '.jpg': 'image/jpeg',
 };
 
-// Serves the files of each folder in { '/prefix/': folder }.
-export async function serve(mounts) {
+// Serves the files of each folder in { '/prefix/': folder }, compressed where `gzip` says so.
+export async function serve(mounts, { gzip = false } = {}) {
   const server = http.createServer((request, response) => {
     const url = decodeURIComponent(new URL(request.url, 'http://127.0.0.1').pathname);
     const prefix = Object.keys(mounts).find((p) => url.startsWith(p));
@@ -19,8 +21,10 @@ export async function serve(mounts) {
       response.writeHead(404).end();
       return;
     }
-    response.writeHead(200, { 'content-type': TYPES[path.extname(file)] ?? 'application/octet-stream' });
-    fs.createReadStream(file).pipe(response);
+    const type = { 'content-type': TYPES[path.extname(file)] ?? 'application/octet-stream' };
+    response.writeHead(200, gzip ? { ...type, 'content-encoding': 'gzip' } : type);
+    if (gzip) response.end(zlib.gzipSync(fs.readFileSync(file), { level: 9 }));
+    else fs.createReadStream(file).pipe(response);
   });
   await new Promise((done, fail) => server.once('error', fail).listen(0, '127.0.0.1', done));
   return {

@@ -1,97 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
-// One object: its picture, drawn by the shared stage, and what is known about it. Names are text, never markup.
-import { byteText, countText } from './text.js';
+// @ts-check
+// A card of the gallery: a <vitrine-thumbnail> and what is known about the object. Names are text, never markup.
+import { linkWithCamera } from './link.js';
+import { countText } from './text.js';
 
-const RADIANS_PER_PIXEL = 0.012;
-const RADIANS_PER_KEY = Math.PI / 16;
-const STEEPEST = 1.4;
+/**
+ * An object of gallery.json.
+ * @typedef {object} GalleryObject
+ * @property {string} slug
+ * @property {string} title
+ * @property {string} thumb  address of the GLB, relative to the page
+ * @property {string} poster
+ * @property {number} bytes
+ * @property {number} triangles
+ * @property {number} [mse1e4]
+ * @property {{ centre: number[], radius: number }} [sphere]
+ * @property {{ manifest: string, frames: number, rows: number, bytes: number }} [series]
+ * @property {Record<string, string>} [metadata]  further columns of archive.csv
+ */
 
 /**
  * @param {string} tag
  * @param {string} text
+ * @param {string} [name]  of its class
  */
-function textElement(tag, text) {
+export function textElement(tag, text, name) {
   const element = document.createElement(tag);
   element.textContent = text;
+  if (name) element.className = name;
   return element;
 }
 
-export class Card {
-  /** @type {import('./stage.js').Model | null} */
-  #model = null;
-  /** @type {import('./stage.js').Stage | null} */
-  #stage = null;
-  #canvas = document.createElement('canvas');
-  #caption = document.createElement('figcaption');
-  #object;
-  /** Where the camera stands, in radians: around the object, and above the horizon. */
-  turn = 0;
-  rise = Math.PI / 18;
+/** @param {GalleryObject} object */
+function thumbnail({ title, thumb, poster, bytes, mse1e4, sphere, series }) {
+  const element = document.createElement('vitrine-thumbnail');
+  /** @type {Record<string, unknown>} */
+  const attributes = {
+    src: thumb, alt: title, bytes, error: mse1e4, sphere: sphere && [...sphere.centre, sphere.radius].join(' '),
+    series: series?.manifest, 'series-rows': series?.rows,
+  };
+  for (const [name, value] of Object.entries(attributes)) if (value !== undefined) element.setAttribute(name, String(value));
+  const image = document.createElement('img');
+  Object.assign(image, { slot: 'poster', loading: 'lazy', decoding: 'async', width: 200, height: 200, alt: title });
+  if (poster) image.src = poster;
+  element.append(image);
+  return element;
+}
 
-  /** @param {import('./gallery.js').GalleryObject} object */
-  constructor(object) {
-    this.#object = object;
-    this.element = document.createElement('figure');
-    this.element.className = 'card';
-    this.element.append(this.#canvas, this.#caption);
-    this.#canvas.tabIndex = 0;
-    this.#canvas.setAttribute('role', 'img');
-    this.#canvas.setAttribute('aria-label', `${object.title}: drag or press the arrow keys to turn it`);
-    this.#caption.append(
-      textElement('h2', object.title),
-      textElement('p', `${byteText(object.bytes)}, ${countText(object.triangles, 'triangle')}`),
-    );
-    const { credit, licence } = object.metadata ?? {};
-    if (credit || licence) this.#caption.append(textElement('p', [credit, licence].filter(Boolean).join(', ')));
-    this.#listen();
-  }
+/** @param {string} link @param {HTMLElement} seen  the thumbnail whose camera it takes */
+function fullModel(link, seen) {
+  const anchor = /** @type {HTMLAnchorElement} */ (textElement('a', 'Full model'));
+  const update = (/** @type {Record<string, any>} */ camera) => {
+    const address = linkWithCamera(link, camera, document.baseURI);
+    if (address) anchor.href = address;
+    return address !== null;
+  };
+  anchor.rel = 'noopener noreferrer';
+  for (const event of ['vitrine-load', 'vitrine-change']) seen.addEventListener(event, () => update(/** @type {any} */ (seen).camera));
+  return update({ azimuth: 0, elevation: 10, zoom: 1 }) ? anchor : null;
+}
 
-  get model() {
-    return this.#model;
-  }
-
-  get canvas() {
-    return this.#canvas;
-  }
-
-  /**
-   * Loads the model once and keeps its picture up to date.
-   * @param {import('./stage.js').Stage} stage
-   */
-  async show(stage) {
-    if (this.#stage) return;
-    this.#stage = stage;
-    try {
-      this.#model = await stage.load(this.#object.thumb);
-      new ResizeObserver(() => stage.draw(this)).observe(this.#canvas);
-    } catch (error) {
-      const problem = textElement('p', `Cannot be shown: ${error instanceof Error ? error.message : error}`);
-      problem.className = 'problem';
-      this.#caption.append(problem);
-    }
-  }
-
-  /**
-   * @param {number} turn
-   * @param {number} rise
-   */
-  #move(turn, rise) {
-    this.turn += turn;
-    this.rise = Math.min(STEEPEST, Math.max(-STEEPEST, this.rise + rise));
-    this.#stage?.draw(this);
-  }
-
-  #listen() {
-    this.#canvas.addEventListener('pointerdown', (event) => this.#canvas.setPointerCapture(event.pointerId));
-    this.#canvas.addEventListener('pointermove', (event) => {
-      if (!this.#canvas.hasPointerCapture(event.pointerId)) return;
-      this.#move(-event.movementX * RADIANS_PER_PIXEL, event.movementY * RADIANS_PER_PIXEL);
-    });
-    this.#canvas.addEventListener('keydown', (event) => {
-      const step = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-      if (!step) return;
-      event.preventDefault();
-      this.#move(step[0] * RADIANS_PER_KEY, step[1] * RADIANS_PER_KEY);
-    });
-  }
+/** @param {GalleryObject} object */
+export function makeCard(object) {
+  const { slug, title, triangles, metadata = {} } = object;
+  const card = document.createElement('article');
+  card.className = 'card';
+  card.id = slug;
+  const seen = thumbnail(object);
+  seen.append(textElement('h2', title));
+  const credit = [metadata.credit, metadata.licence].filter(Boolean).join(', ');
+  if (credit) seen.append(textElement('p', credit));
+  const last = textElement('p', countText(triangles, 'triangle'));
+  const anchor = metadata.link ? fullModel(metadata.link, seen) : null;
+  if (anchor) last.append(' · ', anchor);
+  card.append(seen, last);
+  return card;
 }

@@ -1,53 +1,112 @@
 // SPDX-License-Identifier: Apache-2.0
-// The gallery page: gallery.json beside index.html says what there is to see.
-import { Card } from './card.js';
-import { Stage } from './stage.js';
+// @ts-check
+// The gallery page: gallery.json beside index.html says what there is to see. It draws nothing: cards are <vitrine-thumbnail>s,
+// whose script loads meanwhile.
+import { makeCard, textElement } from './card.js';
 import { byteText, countText } from './text.js';
+import { decodingText, weightTable, weightText } from './weight.js';
 
-/**
- * @typedef {object} GalleryObject
- * @property {string} slug
- * @property {string} title
- * @property {string} thumb  address of the GLB, relative to the page
- * @property {number} bytes
- * @property {number} triangles
- * @property {Record<string, string>} [metadata]  further columns of archive.csv
- */
+/** @typedef {import('./card.js').GalleryObject} GalleryObject */
+/** @typedef {{ object: GalleryObject, element: HTMLElement, words: string }} Card */
 
-const summary = /** @type {HTMLElement} */ (document.getElementById('summary'));
-const cards = /** @type {HTMLElement} */ (document.getElementById('cards'));
+/** @template {HTMLElement} T @param {string} id @returns {T} */
+const byId = (id) => /** @type {T} */ (document.getElementById(id));
 
-/** @returns {Promise<GalleryObject[]>} */
+const status = byId('summary');
+const cards = byId('cards');
+const search = /** @type {HTMLInputElement} */ (byId('search'));
+const sort = /** @type {HTMLSelectElement} */ (byId('sort'));
+const order = /** @type {HTMLButtonElement} */ (byId('order'));
+
+/** @type {Record<string, (object: GalleryObject) => string | number>} */
+const KEYS = {
+  name: ({ title }) => title,
+  bytes: ({ bytes }) => bytes,
+  error: ({ mse1e4 }) => mse1e4 ?? Infinity,
+  triangles: ({ triangles }) => triangles,
+};
+
+const collator = new Intl.Collator(undefined, { numeric: true });
+
+/** @param {string | number} a @param {string | number} b */
+const compare = (a, b) => (typeof a === 'string' ? collator.compare(a, String(b)) : Number(a) - Number(b) || 0);
+
 async function readGallery() {
   const answer = await fetch('gallery.json');
   if (!answer.ok) throw new Error(`gallery.json: ${answer.status} ${answer.statusText}`);
   const gallery = await answer.json();
   if (gallery.schema !== 1) throw new Error(`gallery.json: schema ${gallery.schema}, this page knows 1`);
-  return gallery.objects;
+  return gallery;
+}
+
+/** @param {Card[]} all */
+function arrange(all) {
+  const words = search.value.toLocaleLowerCase().split(/\s+/).filter(Boolean);
+  const shown = all.filter((card) => words.every((word) => card.words.includes(word)));
+  const key = KEYS[sort.value];
+  const sign = order.getAttribute('aria-pressed') === 'true' ? -1 : 1;
+  shown.sort((a, b) => sign * compare(key(a.object), key(b.object)));
+  cards.replaceChildren(...shown.map(({ element }) => element));
+  const bytes = shown.reduce((sum, { object }) => sum + object.bytes, 0);
+  const among = shown.length < all.length ? ` of ${all.length}` : '';
+  status.textContent = shown.length === 0 ? 'No object fits.' : `${countText(shown.length, 'object')}${among}, ${byteText(bytes)}`;
+}
+
+/** Choices that go for all cards: each is an attribute of the thumbnails. @param {HTMLElement} form */
+function listenForAll(form) {
+  form.addEventListener('change', (event) => {
+    const { name, value, type, checked } = /** @type {HTMLInputElement} */ (event.target);
+    if (!name) return;
+    const chosen = type === 'checkbox' ? (checked ? value : '') : value;
+    for (const seen of document.querySelectorAll('vitrine-thumbnail')) seen.setAttribute(name, chosen);
+  });
+}
+
+/** @param {GalleryObject[]} objects */
+function offerSeries(objects) {
+  byId('views').hidden = !objects.some(({ series }) => series);
+  byId('view-2').hidden = !objects.some(({ series }) => (series?.rows ?? 1) > 1);
+}
+
+/** @param {import('./weight.js').PageWeight} page */
+function showWeight(page) {
+  const weight = byId('weight');
+  const decoding = textElement('p', '');
+  const scroll = document.createElement('div');
+  scroll.className = 'scroll';
+  scroll.tabIndex = 0;
+  scroll.setAttribute('role', 'region');
+  scroll.setAttribute('aria-label', 'What this page weighs');
+  scroll.append(weightTable(page));
+  weight.append(textElement('p', weightText(page)), scroll, decoding);
+  weight.hidden = false;
+  weight.addEventListener('toggle', () => {
+    const { statistics } = /** @type {any} */ (customElements.get('vitrine-thumbnail') ?? { statistics: { decodings: [] } });
+    decoding.textContent = decodingText(statistics.decodings);
+  });
 }
 
 async function main() {
-  const objects = await readGallery();
-  const bytes = objects.reduce((sum, object) => sum + object.bytes, 0);
-  summary.textContent = `${countText(objects.length, 'object')}, ${byteText(bytes)}. Drag an object to turn it.`;
-
-  const stage = new Stage();
-  const inView = new IntersectionObserver(
-    (entries) => {
-      for (const entry of entries) if (entry.isIntersecting) cardOf.get(entry.target)?.show(stage);
-    },
-    { rootMargin: '50%' },
-  );
-  /** @type {Map<Element, Card>} */
-  const cardOf = new Map();
-  for (const object of objects) {
-    const card = new Card(object);
-    cardOf.set(card.element, card);
-    cards.append(card.element);
-    inView.observe(card.element);
-  }
+  const { objects, page } = await readGallery();
+  /** @type {Card[]} */
+  const all = objects.map((/** @type {GalleryObject} */ object) => ({
+    object,
+    element: makeCard(object),
+    words: [object.title, ...Object.values(object.metadata ?? {})].join(' ').toLocaleLowerCase(),
+  }));
+  offerSeries(objects);
+  listenForAll(byId('tools'));
+  search.addEventListener('input', () => arrange(all));
+  sort.addEventListener('change', () => arrange(all));
+  order.addEventListener('click', () => {
+    order.setAttribute('aria-pressed', String(order.getAttribute('aria-pressed') !== 'true'));
+    arrange(all);
+  });
+  byId('tools').addEventListener('submit', (event) => event.preventDefault());
+  arrange(all);
+  if (page) showWeight(page);
 }
 
 main().catch((error) => {
-  summary.textContent = `The gallery cannot be shown: ${error.message}`;
+  status.textContent = `The gallery cannot be shown: ${error.message}`;
 });

@@ -1,114 +1,133 @@
 // SPDX-License-Identifier: Apache-2.0
-// One WebGL context draws all cards: a page may hold hundreds, a browser allows some sixteen contexts.
-import { AmbientLight, Box3, DirectionalLight, PerspectiveCamera, Scene, Sphere, WebGLRenderer } from 'three';
-import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
+// @ts-check
+// One WebGL context draws all cards: a page may hold hundreds, and browsers allow some sixteen contexts.
+//
+// Each picture is drawn into the context's own canvas, off the page, and copied into the card's 2D canvas. A canvas that
+// covers the page and is scissored to the cards would spare the copy, but trails behind when the page scrolls, lies above or
+// below everything else, and cannot live in somebody else's layout. Cards are drawn when something about them changes, never else.
+import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 
 const FIELD_OF_VIEW = 30;
-// three divides by pi what a diffuse surface sends back.
+// The measure's light; three divides by pi what a diffuse surface sends back.
 const AMBIENT = 0.25 * Math.PI;
-const HEAD_LIGHT = 0.7 * Math.PI;
+const DIRECTIONAL = 0.7 * Math.PI;
+const LARGEST = 2048; // pixels of the context's canvas
+const FRAME = 10; // milliseconds of drawing in a frame, after which the others wait for the next
+const STILL = 4, MOVING = 2; // pictures are drawn so many times larger, as the measure does, then reduced
 
 /**
- * @typedef {object} Model
- * @property {import('three').Object3D} root
- * @property {Sphere} sphere  about its vertices
+ * What the stage draws, and where to.
+ * @typedef {object} View
+ * @property {HTMLCanvasElement} canvas
+ * @property {import('./model.js').Model | null} model
+ * @property {import('./model.js').Mode} mode
+ * @property {import('./orbit.js').Orbit} orbit
+ * @property {[number, number]} light  where the light stands, in the picture from -1 to 1, right and up; 0, 0: at the camera
+ * @property {boolean} moving
+ * @property {() => void} drawn  called after each picture
  */
 
-/** @typedef {import('./card.js').Card} Card */
-
-/** @param {import('three').Object3D} root */
-function boundingSphere(root) {
-  root.updateMatrixWorld(true);
-  const centre = new Box3().setFromObject(root, true).getCenter(new Sphere().center);
-  const vertex = centre.clone();
-  let radius = 0;
-  root.traverse((node) => {
-    const positions = /** @type {any} */ (node).geometry?.attributes.position;
-    for (let i = 0; i < (positions?.count ?? 0); ++i) {
-      vertex.fromBufferAttribute(positions, i).applyMatrix4(node.matrixWorld);
-      radius = Math.max(radius, vertex.distanceTo(centre));
-    }
-  });
-  return new Sphere(centre, radius || 1);
+/** The camera where the sphere just fits. @param {import('three').Sphere} sphere @param {import('./orbit.js').Orbit} orbit */
+export function lookAt(sphere, orbit) {
+  const distance = sphere.radius / Math.sin((FIELD_OF_VIEW / 2) * (Math.PI / 180));
+  const rotation = orbit.rotation;
+  const eye = new Vector3(0, 0, distance).applyQuaternion(rotation).add(sphere.center);
+  return { distance, rotation, eye, up: new Vector3(0, 1, 0).applyQuaternion(rotation) };
 }
 
 export class Stage {
-  #renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: false });
+  #renderer = new WebGLRenderer({ antialias: false, alpha: true, powerPreference: 'low-power' });
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD_OF_VIEW);
-  #loader = new GLTFLoader();
-  /** @type {Set<Card>} */
+  #light = new DirectionalLight(0xffffff, DIRECTIONAL);
+  #half = document.createElement('canvas');
+  /** @type {Set<View>} */
   #waiting = new Set();
-  /** @type {Set<Card>} */
-  #shown = new Set();
+  #lost = false;
+  #side = 0;
 
-  constructor() {
-    const light = new DirectionalLight(0xffffff, HEAD_LIGHT);
-    light.position.set(0, 0, 1);
-    light.target.position.set(0, 0, 0);
-    this.#camera.add(light, light.target);
+  /** @param {() => void} restored  called when everything must be drawn again */
+  constructor(restored) {
+    this.#camera.add(this.#light, this.#light.target);
     this.#scene.add(this.#camera, new AmbientLight(0xffffff, AMBIENT));
-    this.#loader.setDRACOLoader(new DRACOLoader().setDecoderPath(new URL('draco/', import.meta.url).href));
-    this.#loader.setMeshoptDecoder(MeshoptDecoder);
-    this.#renderer.domElement.addEventListener('webglcontextrestored', () => this.#shown.forEach((card) => this.draw(card)));
+    this.#renderer.setScissorTest(true);
+    const { domElement } = this.#renderer;
+    domElement.addEventListener('webglcontextlost', () => { this.#lost = true; });
+    domElement.addEventListener('webglcontextrestored', () => {
+      this.#lost = false;
+      restored();
+    });
   }
 
-  /**
-   * @param {string} address
-   * @returns {Promise<Model>}
-   */
-  async load(address) {
-    const root = (await this.#loader.loadAsync(address)).scene;
-    return { root, sphere: boundingSphere(root) };
+  /** What the context holds: numbers of geometries and textures. */
+  get memory() {
+    return this.#renderer.info.memory;
   }
 
-  /**
-   * Draws the card before the next frame is shown.
-   * @param {Card} card
-   */
-  draw(card) {
-    if (this.#waiting.size === 0) requestAnimationFrame(() => this.#drawAll());
-    this.#waiting.add(card);
+  /** Draws before the next frame is shown, or as soon as there is time. @param {View} view */
+  draw(view) {
+    if (this.#waiting.size === 0) requestAnimationFrame(() => this.#drawSome());
+    this.#waiting.add(view);
   }
 
-  #drawAll() {
-    const cards = [...this.#waiting];
-    this.#waiting.clear();
-    for (const card of cards) this.#drawNow(card);
+  /** What is being turned first, then what fits into the frame. */
+  #drawSome() {
+    const start = performance.now();
+    for (const view of [...this.#waiting].sort((a, b) => Number(b.moving) - Number(a.moving))) {
+      if (performance.now() - start > FRAME) break;
+      this.#waiting.delete(view);
+      if (!this.#lost) this.#drawNow(view);
+    }
+    if (this.#waiting.size > 0) requestAnimationFrame(() => this.#drawSome());
   }
 
-  /** @param {Card} card */
-  #drawNow(card) {
-    const { canvas, model } = card;
+  /** @param {View} view */
+  #drawNow(view) {
+    const { canvas, model } = view;
     const side = Math.round(canvas.clientWidth * Math.min(window.devicePixelRatio, 2));
     if (!model || side === 0) return;
-    this.#shown.add(card);
-    this.#look(model.sphere, card.turn, card.rise);
-    this.#renderer.setSize(side, side, false);
+    let times = view.moving ? MOVING : STILL;
+    while (times > 1 && times * side > LARGEST) times /= 2;
+    this.#render(model, view, times * side);
+    this.#reduce(canvas, side, times);
+    view.drawn();
+  }
+
+  /** @param {import('./model.js').Model} model @param {View} view @param {number} side */
+  #render(model, { mode, orbit, light }, side) {
+    if (side > this.#side) {
+      this.#side = side;
+      this.#renderer.setSize(side, side, false);
+    }
+    this.#renderer.setViewport(0, this.#side - side, side, side);
+    this.#renderer.setScissor(0, this.#side - side, side, side);
+    const { distance, rotation, eye } = lookAt(model.sphere, orbit);
+    this.#camera.position.copy(eye);
+    this.#camera.quaternion.copy(rotation);
+    this.#camera.near = distance - 1.5 * model.sphere.radius;
+    this.#camera.far = distance + 1.5 * model.sphere.radius;
+    this.#camera.zoom = orbit.zoom;
+    this.#camera.updateProjectionMatrix();
+    this.#light.position.set(light[0], light[1], Math.sqrt(Math.max(0, 1 - light[0] ** 2 - light[1] ** 2)));
+    model.dress(mode);
     this.#scene.add(model.root);
     this.#renderer.render(this.#scene, this.#camera);
     this.#scene.remove(model.root);
-    canvas.width = canvas.height = side;  // also clears it
-    canvas.getContext('2d')?.drawImage(this.#renderer.domElement, 0, 0);
   }
 
   /**
-   * The camera where the sphere just fits.
-   * @param {Sphere} sphere
-   * @param {number} turn
-   * @param {number} rise
+   * Halves the picture until it fits: exactly the mean of each block of pixels, as the measure takes it.
+   * @param {HTMLCanvasElement} canvas @param {number} side @param {number} times
    */
-  #look(sphere, turn, rise) {
-    const distance = sphere.radius / Math.sin((FIELD_OF_VIEW / 2) * (Math.PI / 180));
-    this.#camera.near = distance - sphere.radius * 1.01;
-    this.#camera.far = distance + sphere.radius * 1.01;
-    this.#camera.position
-      .set(Math.sin(turn) * Math.cos(rise), Math.sin(rise), Math.cos(turn) * Math.cos(rise))
-      .multiplyScalar(distance)
-      .add(sphere.center);
-    this.#camera.lookAt(sphere.center);
-    this.#camera.updateProjectionMatrix();
+  #reduce(canvas, side, times) {
+    let source = this.#renderer.domElement;
+    if (times === 4) {
+      this.#half.width = this.#half.height = 2 * side;
+      this.#half.getContext('2d')?.drawImage(source, 0, 0, 4 * side, 4 * side, 0, 0, 2 * side, 2 * side);
+      source = this.#half;
+      times = 2;
+    }
+    canvas.width = canvas.height = side; // also clears it
+    canvas.getContext('2d')?.drawImage(source, 0, 0, times * side, times * side, 0, 0, side, side);
   }
 }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A gallery in the browser, below a sub-path, and what its cards show.
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { openBrowser, serve } from './browser.mjs';
+
+// A new folder with the page as built and a gallery.json of these objects.
+export function writeGallery(objects, page) {
+  const gallery = fs.mkdtempSync(path.join(os.tmpdir(), 'gallery-'));
+  fs.cpSync(process.env.VITRINE_VIEWER, path.join(gallery, 'viewer'), { recursive: true });
+  fs.renameSync(path.join(gallery, 'viewer/index.html'), path.join(gallery, 'index.html'));
+  fs.writeFileSync(path.join(gallery, 'gallery.json'), JSON.stringify({ schema: 1, objects, page }));
+  return gallery;
+}
+
+// Opens it. `complaints` collects whatever should not be: errors, warnings of three, failed or foreign requests, violations of the
+// content security policy. `window.contexts` counts WebGL contexts.
+export async function openGallery(folder, { width = 1280, height = 800, gzip = false, ...context } = {}) {
+  const server = await serve({ '/some/where/': folder }, { gzip });
+  const browser = await openBrowser();
+  const page = await browser.newPage({ viewport: { width, height }, ...context });
+  const complaints = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.text().startsWith('THREE.')) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('requestfailed', (request) => {
+    if (request.failure()?.errorText !== 'net::ERR_ABORTED') complaints.push(`failed: ${request.url()}`); // cards that left before
+  });
+  page.on('request', (request) => { if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(server.url)) complaints.push(`foreign: ${request.url()}`); });
+  page.on('response', (response) => { if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`); });
+  await page.addInitScript(() => {
+    window.contexts = 0;
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (type, ...rest) {
+      const context = get.call(this, type, ...rest);
+      if (type.startsWith('webgl') && context && !this.counted) {
+        this.counted = true;
+        ++window.contexts;
+      }
+      return context;
+    };
+    // RGBA of what can be drawn into a canvas, in a form that travels fast.
+    window.bytesOf = (source) => {
+      const { width, height } = source;
+      const context = source.getContext?.('2d') ?? Object.assign(document.createElement('canvas'), { width, height }).getContext('2d');
+      if (!source.getContext) context.drawImage(source, 0, 0);
+      const bytes = context.getImageData(0, 0, width, height).data;
+      let text = '';
+      for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+      return btoa(text);
+    };
+    document.addEventListener('securitypolicyviolation', (event) => console.error(`policy: ${event.violatedDirective} ${event.blockedURI}`));
+  });
+  await page.goto(`${server.url}/some/where/index.html`);
+  return { page, complaints, server, close: async () => { await browser.close(); await server.close(); } };
+}
+
+// The thumbnail of the card at this place.
+export const cardAt = (page, index) => page.locator('vitrine-thumbnail').nth(index);
+export const pictureOf = (card) => card.locator('[part="picture"]');
+
+// Waits until the card has drawn; scrolls to it first.
+export async function shown(card) {
+  await card.scrollIntoViewIfNeeded();
+  const deadline = Date.now() + 60000;
+  while (!(await card.evaluate((element) => element.canvas.width > 0 && !element.canvas.hidden))) {
+    if (Date.now() > deadline) throw new Error(`not drawn: ${await card.getAttribute('problem')}`);
+    await new Promise((done) => setTimeout(done, 30));
+  }
+}
+
+// What the card's canvas shows: side, RGBA bytes.
+export async function drawn(card) {
+  const { side, bytes } = await card.evaluate(({ canvas }) => ({ side: canvas.width, bytes: canvas.width ? window.bytesOf(canvas) : '' }));
+  return { side, data: Buffer.from(bytes, 'base64') };
+}
+
+// The same after all that is under way, at its best.
+export async function pixels(card) {
+  await card.evaluate(() => new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 250)));
+  return drawn(card);
+}
+
+// Share of the pixels that differ by more than `by` in some channel.
+export function change(a, b, by = 8) {
+  let count = 0;
+  for (let i = 0; i < a.data.length; i += 4) count += [0, 1, 2, 3].some((k) => Math.abs(a.data[i + k] - b.data[i + k]) > by);
+  return count / (a.data.length / 4);
+}
+
+// RGBA of the pixel in the middle.
+export function middle({ side, data }) {
+  const i = 4 * ((side >> 1) * side + (side >> 1));
+  return [...data.subarray(i, i + 4)];
+}
+
+// Over white, as the page shows it.
+export function overWhite({ data }) {
+  return data.map((value, i) => {
+    const alpha = data[i - (i % 4) + 3];
+    return i % 4 === 3 ? 255 : Math.round((value * alpha) / 255 + 255 - alpha);
+  });
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// A gallery as `vitrine convert --series` leaves it (VITRINE_WEB_GALLERY): what visitors load, see and can switch to.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { cardAt, change, openGallery, overWhite, pictureOf, pixels, shown } from './gallery_page.mjs';
+
+const folder = process.env.VITRINE_WEB_GALLERY;
+const { objects, page: weight } = JSON.parse(fs.readFileSync(path.join(folder, 'gallery.json'), 'utf8'));
+const AXE = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const MOST_FIRST = 350e3; // bytes until the first object is there, posters apart
+
+let page, complaints, close;
+
+before(async () => { ({ page, complaints, close } = await openGallery(folder, { gzip: true })); });
+after(async () => { await close?.(); });
+
+const cardOf = (object) => page.locator(`[id="${object.slug}"] vitrine-thumbnail`);
+
+// A picture's file as the page's browser decodes it, RGBA.
+const decoded = async (file) => Buffer.from(await page.evaluate(async (source) => {
+  const image = new Image();
+  image.src = source;
+  await image.decode();
+  return window.bytesOf(image);
+}, file), 'base64');
+
+function mse1e4(a, b) {
+  let sum = 0;
+  for (let i = 0; i < a.length; ++i) if (i % 4 !== 3) sum += ((a[i] - b[i]) / 255) ** 2;
+  return (1e4 * sum) / (a.length * 0.75);
+}
+
+test('the first object is there after 350 KB', async () => {
+  const bytes = await page.evaluate(async () => {
+    while (![...document.querySelectorAll('vitrine-thumbnail')].some((card) => card.model)) await new Promise((done) => setTimeout(done, 5));
+    return [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
+      .filter(({ name, initiatorType }) => initiatorType !== 'img' && !name.startsWith('blob:')).reduce((sum, entry) => sum + entry.encodedBodySize, 0);
+  });
+  assert.ok(bytes > 200e3 && bytes <= MOST_FIRST, `${bytes} bytes`);
+});
+
+test('posters stand at their final size, and nothing moves', async () => {
+  for (const object of objects) await shown(cardOf(object));
+  const shift = await page.evaluate(() => new Promise((done) => {
+    new PerformanceObserver((list) => done(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
+    setTimeout(() => done(0), 200);
+  }));
+  assert.ok(shift < 0.02, `layout shift ${shift}`);
+});
+
+test('the first picture is the poster, and as near to the original as the certificate says', async () => {
+  for (const object of objects) {
+    const card = cardOf(object);
+    await shown(card);
+    const picture = await pixels(card);
+    assert.equal(picture.side, 200);
+    const drawn = overWhite(picture);
+    const poster = mse1e4(drawn, await decoded(object.poster));
+    assert.ok(poster < 3, `${object.slug}: ${poster} from its poster, a JPEG`);
+    const certificate = JSON.parse(fs.readFileSync(path.join(folder, `models/${object.slug}/certificate.json`), 'utf8'));
+    const original = mse1e4(drawn, await decoded(object.series.manifest.replace('series.json', 'frame-00-00.jpg')));
+    assert.ok(original < certificate.measure.worstMse1e4 + 2, `${object.slug}: ${original} from its original`);
+  }
+});
+
+test('a card switches to pictures of one axis and of two, and says what they cost', async () => {
+  const [object] = objects;
+  const card = cardOf(object);
+  await shown(card);
+  const facts = () => card.locator('[part="facts"]').textContent();
+  const threeD = [await facts(), await pixels(card)];
+  await card.getByRole('button', { name: '1 axis' }).click();
+  await page.waitForFunction(([e, old]) => e.shadowRoot.querySelector('[part="facts"]').textContent !== old, [await card.elementHandle(), threeD[0]]);
+  const manifest = JSON.parse(fs.readFileSync(path.join(folder, object.series.manifest), 'utf8'));
+  const one = manifest.files.slice(0, manifest.frames).reduce((sum, { bytes }) => sum + bytes, 0);
+  await page.waitForTimeout(300);
+  assert.equal(await facts(), `${(one / 1e3).toFixed(1)} KB, error ${manifest.turningMse1e4.toFixed(2)}`);
+  const frame = await pixels(card);
+  assert.ok(mse1e4(frame.data, await decoded(object.series.manifest.replace('series.json', 'frame-00-00.jpg'))) === 0);
+  const hand = await pictureOf(card).boundingBox();
+  const drag = async (right, down) => {
+    await page.mouse.move(hand.x + 100, hand.y + 100);
+    await page.mouse.down();
+    await page.mouse.move(hand.x + 100 + right, hand.y + 100 + down, { steps: 3 });
+    await page.mouse.up();
+    return pixels(card);
+  };
+  const turned = await drag(60, 0);
+  assert.ok(change(frame, turned) > 0.02);
+  assert.equal(change(turned, await drag(0, 60)), 0, 'one axis has no second');
+  await card.getByRole('button', { name: '2 axes' }).click();
+  assert.ok(change(turned, await pixels(card)) > 0.02);
+  assert.equal(await facts(), `${(object.series.bytes / 1e3).toFixed(1)} KB, error ${manifest.turningMse1e4.toFixed(2)}`);
+  await card.getByRole('button', { name: '3D' }).click();
+  await pictureOf(card).focus();
+  await page.keyboard.press('Home');
+  await shown(card);
+  assert.ok(change(threeD[1], await pixels(card)) < 0.001);
+});
+
+test('the page says what it weighs', async () => {
+  await page.click('#weight summary');
+  const rows = await page.locator('#weight tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+  const total = weight.thumbnails + weight.viewer.gzip + weight.decoder.gzip;
+  assert.equal(rows[0][2], `${(total / 1e3).toFixed(1)} KB`);
+  const jpeg = rows.find(([name]) => name.startsWith('32 pictures, JPEG'));
+  assert.equal(jpeg[2], weight.series.jpeg90[32] < 999950 ? `${(weight.series.jpeg90[32] / 1e3).toFixed(1)} KB` : `${(weight.series.jpeg90[32] / 1e6).toFixed(1)} MB`);
+  await page.getByText(/Decoding took \d+ ms/).waitFor();
+});
+
+test('axe finds no serious fault, light or dark', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    await page.evaluate(AXE);
+    const { violations } = await page.evaluate(() => window.axe.run({ resultTypes: ['violations'] }));
+    const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+    assert.deepEqual(serious.map(({ id, nodes }) => [colorScheme, id, nodes[0].html]), []);
+  }
+  await page.emulateMedia({ colorScheme: 'light' });
+});
+
+test('nothing moves by itself where that is not wanted', async () => {
+  const duration = () => page.evaluate(() => getComputedStyle(document.querySelector('vitrine-thumbnail').shadowRoot.querySelector('[part="tools"]')).transitionDuration);
+  assert.equal(await duration(), '0.15s');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  assert.equal(await duration(), '0s');
+});
+
+test('without script there are posters with names', async () => {
+  const silent = await openGallery(folder, { javaScriptEnabled: false });
+  const images = silent.page.locator('figure img');
+  assert.equal(await images.count(), objects.length);
+  assert.deepEqual(new Set(await images.evaluateAll((all) => all.map((image) => image.alt))), new Set(objects.map(({ title }) => title)));
+  await images.first().scrollIntoViewIfNeeded();
+  await silent.close();
+});
+
+test('nothing fails and no other host is asked', () => assert.deepEqual(complaints, []));
