@@ -58,5 +58,7 @@ class Trace {
 /// Bytes of this process in memory now, and the most so far.
 std::uint64_t memory_used();
 std::uint64_t peak_memory();
+/// Seconds that its threads have computed so far.
+double cpu_seconds();
 
 }  // namespace vitrine::graph

@@ -2,6 +2,7 @@
 #include "tools/convert.h"
 
 #include "graph/progress.h"
+#include "graph/trace.h"
 #include "io/publish.h"
 #include "stages/error.h"
 #include "tools/command_line.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <thread>
 
 namespace vitrine::tools {
 namespace {
@@ -37,12 +39,22 @@ void publish_reports(ConvertCommand const& command, std::vector<graph::ModelRow>
   nlohmann::ordered_json report = graph::report_json(rows, archive, graph::options_json(command.model), seconds);
   nlohmann::ordered_json shown = graph::gallery_json(rows);
   report["page"] = shown["page"] = page_weight(gallery, rows, page_sizes());
+  report["cpuSeconds"] = graph::cpu_seconds();
+  report["peakMemory"] = graph::peak_memory();
   io::publish_file(gallery / "report.json", graph::to_text(report));
   io::publish_file(gallery / "report.csv", graph::report_csv(rows));
   io::publish_file(gallery / "gallery.json", graph::to_text(shown));
 }
 
-void print_summary(std::vector<graph::ModelRow> const& rows, fs::path const& gallery, double seconds) {
+/// Share of the cores' time that the program computed.
+double busy(graph::RunOptions const& run, double seconds) {
+  unsigned const all = std::max(std::thread::hardware_concurrency(), 1u);
+  unsigned const cores = run.threads > 0 ? std::min(unsigned(run.threads), all) : all;
+  return std::min(1.0, graph::cpu_seconds() / (seconds * cores));
+}
+
+void print_summary(std::vector<graph::ModelRow> const& rows, graph::RunOptions const& run, double seconds) {
+  fs::path const& gallery = run.gallery;
   std::size_t done = 0, bytes = 0;
   for (graph::ModelRow const& row : rows)
     if (row.status == "done") ++done, bytes += row.bytes.total;
@@ -51,6 +63,7 @@ void print_summary(std::vector<graph::ModelRow> const& rows, fs::path const& gal
   fmt::print("\n");
   if (done < rows.size())
     fmt::print("{} failed: see {}\n", rows.size() - done, printable((gallery / "report.csv").string()));
+  fmt::print("cores {:.0f} % busy, at most {:.2f} GB of memory\n", 100 * busy(run, seconds), double(graph::peak_memory()) / 1e9);
   fmt::print("look at it: vitrine serve {}\n", printable(gallery.string()));
 }
 
@@ -82,7 +95,7 @@ int convert(ConvertCommand const& command) {
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   publish_reports(command, rows, seconds);
   publish_page(command.run.gallery, rows, command.model.encode.x3dom);
-  print_summary(rows, command.run.gallery, seconds);
+  print_summary(rows, command.run, seconds);
   bool const all = std::all_of(rows.begin(), rows.end(), [](auto const& row) { return row.status == "done"; });
   return all ? kComplete : kSomeFailed;
 }
