@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { cardAt, change, openGallery, overWhite, pictureOf, pixels, shown } from './gallery_page.mjs';
+import { change, openGallery, overWhite, pictureOf, pixels, shown } from './gallery_page.mjs';
 
 const folder = process.env.VITRINE_WEB_GALLERY;
 const { objects, page: weight } = JSON.parse(fs.readFileSync(path.join(folder, 'gallery.json'), 'utf8'));
@@ -136,6 +136,19 @@ test('without script there are posters with names', async () => {
   assert.deepEqual(new Set(await images.evaluateAll((all) => all.map((image) => image.alt))), new Set(objects.map(({ title }) => title)));
   await images.first().scrollIntoViewIfNeeded();
   await silent.close();
+});
+
+test('the demonstration shows an object by the lines that it gives', async () => {
+  await page.goto(new URL('viewer/embed.html', page.url()).href);
+  await page.getByText('vitrine-load').waitFor();
+  const element = page.locator('vitrine-thumbnail');
+  await shown(element);
+  const lines = await page.textContent('#code');
+  assert.match(lines, /^<script type="module" src="\/some\/where\/viewer\/vitrine-thumbnail.js"><\/script>\n<vitrine-thumbnail/);
+  assert.ok(lines.includes(`src="${await element.getAttribute('src')}"`));
+  await pictureOf(element).focus();
+  await page.keyboard.press('ArrowLeft');
+  await page.getByText('vitrine-change {"azimuth":11').waitFor();
 });
 
 test('nothing fails and no other host is asked', () => assert.deepEqual(complaints, []));

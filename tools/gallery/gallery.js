@@ -104,6 +104,7 @@ async function main() {
   });
   byId('tools').addEventListener('submit', (event) => event.preventDefault());
   arrange(all);
+  for (const id of ['tools', 'foot']) byId(id).hidden = false; // not before, or they would move
   if (page) showWeight(page);
 }
 
