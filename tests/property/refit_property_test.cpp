@@ -103,7 +103,7 @@ TEST(RefitProperty, KeepsTheOutlineOfARaggedSheet) {
 TEST(RefitProperty, KeepsABladeSharp) {
   TriMesh const original = blade(), light = simplified(original, 300);
   TriMesh const fitted = refit(light, sample_surface(surveyed(original), 100'000));
-  EXPECT_NEAR(bounds(fitted).size().x, bounds(original).size().x, 0.01);
+  EXPECT_NEAR(bounds(fitted).size().x, bounds(original).size().x, 0.02);
 }
 
 TEST(RefitProperty, LeavesAMeshAloneThatHasNoSamplesNearby) {
