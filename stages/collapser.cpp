@@ -32,13 +32,12 @@ struct Collapser<Q>::Rules {
 
 namespace {
 
-/// Buckets that a refused candidate waits before looser rules hold for it. Else a part that cannot get simpler by the
-/// strict ones, frets and strings in their thousands, would outlast the body that carries them.
-constexpr std::size_t kPatience = 8 * BucketQueue::kOctave;
-
 // Between 1e-7 and 1e-5 these constants change the mean distance on scans by 2 % at most; above, they cost detail.
 constexpr double kStiffness = 1e-6;   // see Quadric::minimiser
 constexpr double kLengthCost = 1e-5;  // short edges first where the surface is flat
+
+/// A part that vanishes, or a handle that closes, is as wrong as if it had moved by its own size.
+constexpr double cost_of_part(double size) { return size * size * size * size; }
 
 }  // namespace
 
@@ -169,15 +168,16 @@ template <class Q>
 void Collapser<Q>::try_collapse(Candidate const& candidate, std::size_t bucket) {
   auto const [a, b, stamp] = candidate;
   Placement const placement = place(a, b);
-  bool const overdue = bucket >= BucketQueue::bucket(placement.cost) + kPatience;
-  Rules const rules = relaxed_ || overdue ? Rules::relaxed() : Rules::strict();
+  Rules const rules = relaxed_ ? Rules::relaxed() : Rules::strict();
   if (placement.distance > max_distance_) {
     limited_ = true;
     return;
   }
   CollapseMesh::Junction const junction = mesh_.junction(a, b);
   if (junction.going == 0 || junction.going >= mesh_.faces()) return;
-  if (rules.keep_topology && !junction.keeps_topology) return postpone(candidate, bucket);
+  if (rules.keep_topology && !junction.keeps_topology &&
+      bucket < BucketQueue::bucket(placement.cost + cost_of_part(size_around(a, b))))
+    return postpone(candidate, bucket);
   if (junction.vanishes) return try_vanish(candidate, bucket, placement);
   V3f const target = mesh_.to_model(placement.at);
   if (!mesh_.keeps_shape(a, b, target, rules.least_cosine, rules.least_roundness)) return postpone(candidate, bucket);
@@ -190,15 +190,19 @@ void Collapser<Q>::try_collapse(Candidate const& candidate, std::size_t bucket) 
   for (CollapseMesh::Neighbour const& n : mesh_.neighbours(a)) push(a, n.vertex);
 }
 
-/// A part that vanishes is as wrong as if it had moved by its own size.
+template <class Q>
+double Collapser<Q>::size_around(Index a, Index b) {
+  return std::min(std::sqrt(mesh_.twice_area_around(a, b)), mesh_.diagonal());
+}
+
 template <class Q>
 void Collapser<Q>::try_vanish(Candidate const& candidate, std::size_t bucket, Placement const& placement) {
-  double const size = std::min(std::sqrt(mesh_.twice_area_around(candidate.a, candidate.b)), mesh_.diagonal());
+  double const size = size_around(candidate.a, candidate.b);
   if (size > max_distance_) {
     limited_ = true;
     return;
   }
-  std::size_t const dearer = BucketQueue::bucket(placement.cost + size * size * size * size);
+  std::size_t const dearer = BucketQueue::bucket(placement.cost + cost_of_part(size));
   if (dearer > bucket) return queue_.push(dearer, candidate);
   largest_distance_ = std::max(largest_distance_, size);
   mesh_.remove_around(candidate.a);

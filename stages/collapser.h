@@ -87,6 +87,7 @@ class Collapser {
   void push(Index a, Index b) { queue_.push(BucketQueue::bucket(place(a, b).cost), {a, b, version(a, b)}); }
   void postpone(Candidate const& candidate, std::size_t bucket);
   void try_collapse(Candidate const& candidate, std::size_t bucket);
+  double size_around(Index a, Index b);  ///< the root of twice the area
   void try_vanish(Candidate const& candidate, std::size_t bucket, Placement const& placement);
   void note(Index into, Index from, V3f const& place);
 

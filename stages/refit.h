@@ -12,7 +12,7 @@ struct RefitOptions {
   int iterations = 2;         ///< each matches the samples anew
 };
 
-/// Out:    the same faces. None has turned by more than 80 degrees or lost its area: where one would, its corners stay
+/// Out:    the same faces. None has turned by 60 degrees or lost its area: where one would, its corners stay
 ///         where they were. Edges of more than two faces hardly move.
 /// Source: Hoppe et al. 1993, "Mesh Optimization", section 4: the least squares of projected points; the outline's and
 ///         the facets' terms are ours.

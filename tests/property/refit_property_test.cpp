@@ -100,10 +100,14 @@ TEST(RefitProperty, KeepsTheOutlineOfARaggedSheet) {
   EXPECT_NEAR(shadow(fitted) / shadow(original), 1, std::abs(shadow(light) / shadow(original) - 1) + 0.001);
 }
 
-TEST(RefitProperty, KeepsABladeSharp) {
-  TriMesh const original = blade(), light = simplified(original, 300);
-  TriMesh const fitted = refit(light, sample_surface(surveyed(original), 100'000));
-  EXPECT_NEAR(bounds(fitted).size().x, bounds(original).size().x, 0.02);
+TEST(RefitProperty, KeepsABladeSharp) {  // fewer triangles have chords that stand out further, as fits best
+  TriMesh const original = blade();
+  SurfaceSamples const samples = sample_surface(surveyed(original), 100'000);
+  for (int triangles : {500, 800, 1200}) {
+    TriMesh const fitted = refit(simplified(original, triangles), samples);
+    EXPECT_NEAR(bounds(fitted).size().x, bounds(original).size().x, 0.01) << triangles;
+    EXPECT_NEAR(bounds(fitted).size().y, bounds(original).size().y, 0.01) << triangles;
+  }
 }
 
 TEST(RefitProperty, LeavesAMeshAloneThatHasNoSamplesNearby) {
