@@ -29,7 +29,10 @@ await build({
   loader: { '.css': 'text' },
   logLevel: 'warning',
 });
-for (const file of ['index.html', 'embed.html', 'gallery.css']) await cp(join(here, file), join(out, file));
+const head = (await readFile(join(here, 'head.html'), 'utf8')).trim();
+for (const file of ['index.html', 'embed.html'])
+  await writeFile(join(out, file), (await readFile(join(here, file), 'utf8')).replace('<!-- head -->', () => head));
+await cp(join(here, 'gallery.css'), join(out, 'gallery.css'));
 await cp(join(here, 'node_modules/three/LICENSE'), join(out, 'three.LICENSE.txt'));
 
 const DECODER = ['draco_decoder.wasm', 'draco_wasm_wrapper.js'];
