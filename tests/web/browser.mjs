@@ -11,18 +11,24 @@ const TYPES = {
   '.jpg': 'image/jpeg',
 };
 
-// Serves the files of each folder in { '/prefix/': folder }, compressed where `gzip` says so.
-export async function serve(mounts, { gzip = false } = {}) {
-  const server = http.createServer((request, response) => {
+const typeOf = (name) => ({ 'content-type': TYPES[path.extname(name)] ?? 'application/octet-stream' });
+
+// Serves the files of each folder in { '/prefix/': folder }, compressed where `gzip` says so; before them what functions in
+// { '/path': () => body } answer.
+export async function serve(mounts, { gzip = false, answers = {} } = {}) {
+  const server = http.createServer(async (request, response) => {
     const url = decodeURIComponent(new URL(request.url, 'http://127.0.0.1').pathname);
+    if (answers[url]) {
+      response.writeHead(200, typeOf(url)).end(await answers[url]());
+      return;
+    }
     const prefix = Object.keys(mounts).find((p) => url.startsWith(p));
     const file = prefix && path.join(mounts[prefix], path.normalize(`/${url.slice(prefix.length)}`));
     if (!file || !fs.statSync(file, { throwIfNoEntry: false })?.isFile()) {
       response.writeHead(404).end();
       return;
     }
-    const type = { 'content-type': TYPES[path.extname(file)] ?? 'application/octet-stream' };
-    response.writeHead(200, gzip ? { ...type, 'content-encoding': 'gzip' } : type);
+    response.writeHead(200, gzip ? { ...typeOf(file), 'content-encoding': 'gzip' } : typeOf(file));
     if (gzip) response.end(zlib.gzipSync(fs.readFileSync(file), { level: 9 }));
     else fs.createReadStream(file).pipe(response);
   });

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pages of docs/embedding/ show thumbnails of the gallery $VITRINE_WEB_GALLERY in other viewers, and there, too, they are as near
+// to their originals, of $VITRINE_WEB_ARCHIVE, as their certificates say. With $VITRINE_WEB_PICTURES the screenshots stay there.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import test, { after, before } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { openBrowser, serve } from './browser.mjs';
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const docs = path.join(here, '../../docs');
+const { VITRINE_WEB_GALLERY: gallery, VITRINE_WEB_ARCHIVE: archive, VITRINE_WEB_PICTURES: pictures } = process.env;
+const VIEWERS = ['three', 'babylon', 'model-viewer'];
+const MODELS = ['metal/mask.glb', 'stone/knot.glb']; // a colour map, colours per vertex
+const AZIMUTHS = [0, 120];
+const TIMES = 2; // screenshots are so many times larger, and antialiased
+const PATIENCE = 120e3; // milliseconds
+
+const rows = JSON.parse(fs.readFileSync(path.join(gallery, 'report.json'), 'utf8')).rows;
+let server, browser, context, judge;
+const complaints = [], answers = { '/favicon.ico': () => '' };
+
+before(async () => {
+  server = await serve({
+    '/node_modules/': path.join(here, 'node_modules'), '/three/': path.join(here, 'node_modules/three'), '/tests/': here,
+    '/gallery/': gallery, '/archive/': archive,
+  }, { answers });
+  browser = await openBrowser();
+  judge = await browser.newPage();
+  await judge.goto(`${server.url}/tests/page.html`);
+  await judge.addScriptTag({ type: 'module', url: '/tests/viewers_page.mjs' });
+  await judge.waitForFunction(() => window.apart);
+  context = await browser.newContext({ viewport: { width: 700, height: 300 }, deviceScaleFactor: TIMES });
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.close();
+});
+
+const read = (viewer) => fs.readFileSync(path.join(docs, 'embedding', `${viewer}.html`), 'utf8');
+
+// The page as somebody makes it of the example: its element once for each azimuth, with this object's place.
+function pageOf(viewer, { centre, radius }) {
+  const text = read(viewer);
+  const [element] = /<(canvas|model-viewer) [^]*?<\/\1>/.exec(text);
+  const own = (azimuth) => element
+    .replace('data-sphere="0 0 0 1"', `data-sphere="${centre.join(' ')} ${radius}"`).replace('data-azimuth="0"', `data-azimuth="${azimuth}"`)
+    .replace('0m 0m 0m', centre.map((x) => `${x}m`).join(' ')).replace('0deg 80deg 3.864m', `${azimuth}deg 80deg ${radius / Math.sin(Math.PI / 12)}m`)
+    .replace('auto auto 8m', `auto auto ${8 * radius}m`);
+  return text.replace(element, AZIMUTHS.map(own).join('\n'));
+}
+
+// Screenshots of all elements once they show something that changes no more. `glb` stands where the example has its own.
+async function show(viewer, sphere, glb) {
+  const page = await context.newPage();
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()); });
+  page.on('request', (request) => { if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(server.url)) complaints.push(`foreign: ${request.url()}`); });
+  let send;
+  const seenEmpty = new Promise((done) => { send = () => done(glb); });
+  answers['/example.html'] = () => pageOf(viewer, sphere);
+  answers['/gallery/models/lion/poster.jpg'] = () => fs.readFileSync(path.join(gallery, rows[0].poster));
+  const asked = new Promise((done) => { answers['/gallery/models/lion/thumb.glb'] = () => { done(); return seenEmpty; }; });
+  await page.goto(`${server.url}/example.html`, { timeout: PATIENCE });
+  await asked;
+  const boxes = await page.evaluate(() => {
+    const Viewer = customElements.get('model-viewer');
+    if (Viewer) Viewer.minimumRenderScale = 1; // no smaller pictures where the machine is slow
+    return [...document.querySelectorAll('canvas[data-src], model-viewer')].map((element) => element.getBoundingClientRect().toJSON());
+  });
+  const shoot = async () => {
+    await page.waitForTimeout(1000);
+    const shots = [];
+    for (const clip of boxes) shots.push((await page.screenshot({ clip, timeout: PATIENCE })).toString('base64'));
+    return shots;
+  };
+  const blank = await shoot();
+  send();
+  for (let last = blank; ;) {
+    const shots = await shoot();
+    if (shots.every((shot, i) => shot === last[i] && shot !== blank[i])) {
+      await page.close();
+      return shots;
+    }
+    last = shots;
+  }
+}
+
+// How far apart two rows of screenshots are, on average.
+async function apart(a, b) {
+  const found = await Promise.all(a.map((shot, i) => judge.evaluate(
+    ([x, y, times]) => window.apart(`data:image/png;base64,${x}`, `data:image/png;base64,${y}`, times), [shot, b[i], TIMES],
+  )));
+  const mean = (key) => found.reduce((sum, one) => sum + one[key], 0) / found.length;
+  return { mse1e4: mean('mse1e4'), filled: mean('filled') };
+}
+
+function keep(name, shots) {
+  if (pictures) shots.forEach((shot, i) => fs.writeFileSync(path.join(pictures, `${name}-${AZIMUTHS[i]}.png`), Buffer.from(shot, 'base64')));
+}
+
+for (const input of MODELS)
+  for (const viewer of VIEWERS)
+    test(`${input} in ${viewer} is as near to its original as its certificate says`, async (t) => {
+      complaints.length = 0;
+      const row = rows.find((one) => one.input === input);
+      const original = await judge.evaluate((url) => window.asMeasured(url), `/archive/${input}`);
+      const wanted = await show(viewer, row.sphere, Buffer.from(original.split(',')[1], 'base64'));
+      const seen = await show(viewer, row.sphere, fs.readFileSync(path.join(gallery, row.thumb)));
+      keep(`${path.basename(input)}-${viewer}-original`, wanted);
+      keep(`${path.basename(input)}-${viewer}-thumb`, seen);
+      const { mse1e4, filled } = await apart(seen, wanted);
+      t.diagnostic(`error ${mse1e4.toFixed(2)}, certificate ${row.measure.mse1e4.toFixed(2)}`);
+      assert.deepEqual(complaints, []);
+      assert.ok(Math.abs(filled - row.measure.coverage) < 0.1, `fills ${filled}, by its certificate ${row.measure.coverage}`);
+      assert.ok(mse1e4 < 2 * row.measure.mse1e4, `error ${mse1e4}, by its certificate ${row.measure.mse1e4}`);
+    });
