@@ -129,6 +129,22 @@ test('nothing moves by itself where that is not wanted', async () => {
   assert.equal(await duration(), '0s');
 });
 
+test('on a touch screen the tools come with the first tap, which presses none of them', async () => {
+  const touch = await openGallery(folder, { width: 400, hasTouch: true, isMobile: true });
+  const card = touch.page.locator('vitrine-thumbnail').first();
+  await shown(card);
+  const tools = card.locator('[part="tools"]');
+  const { x, y, height } = await tools.boundingBox();
+  const tap = () => touch.page.touchscreen.tap(x + 30, y + height / 2);
+  assert.equal(await tools.evaluate((e) => getComputedStyle(e).pointerEvents), 'none');
+  await tap();
+  assert.equal(await card.getAttribute('mode'), null);
+  await touch.page.waitForFunction((e) => getComputedStyle(e).opacity === '1' && getComputedStyle(e).pointerEvents === 'auto', await tools.elementHandle());
+  await tap();
+  assert.equal(await card.getAttribute('mode'), 'white');
+  await touch.close();
+});
+
 test('without script there are posters with names', async () => {
   const silent = await openGallery(folder, { javaScriptEnabled: false });
   const images = silent.page.locator('figure img');

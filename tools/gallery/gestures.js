@@ -33,21 +33,24 @@ export function listen(picture, to) {
     return Math.hypot(a.x - b.x, a.y - b.y);
   };
 
+  const point = (/** @type {PointerEvent} */ { clientX, clientY }) => {
+    const box = picture.getBoundingClientRect();
+    to.pointed(((clientX - box.left) / box.width) * 2 - 1, 1 - ((clientY - box.top) / box.height) * 2);
+  };
+
   picture.addEventListener('pointerenter', () => to.wake());
   picture.addEventListener('focus', () => to.wake());
   picture.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     picture.setPointerCapture(event.pointerId);
+    point(event);
     down.set(event.pointerId, { x: event.clientX, y: event.clientY });
   });
 
   picture.addEventListener('pointermove', (event) => {
+    point(event);
     const before = down.get(event.pointerId);
-    if (!before) {
-      const box = picture.getBoundingClientRect();
-      to.pointed(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
-      return;
-    }
+    if (!before) return;
     const apart = down.size === 2 ? spread() : 0;
     down.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const scale = PER_WIDTH / picture.clientWidth;

@@ -5,8 +5,8 @@ import { Box3, DoubleSide, Mesh, MeshNormalMaterial, MeshStandardMaterial, Spher
 
 /** @typedef {'shaded' | 'white' | 'normals'} Mode */
 
-// Linear base colour of what has none: white mode, and objects that were scanned without colour.
-const GREY = 0.5;
+// Linear base colours of what has none: objects that were scanned without colour, as they are measured, and plaster for white mode.
+const GREY = 0.5, WHITE = 0.8;
 
 /** @param {import('three').Object3D} root @returns {Mesh[]} */
 function meshesOf(root) {
@@ -45,7 +45,7 @@ function materialFor(shaded, mode) {
   const shape = { flatShading, side: DoubleSide, ...(normalMap && { normalMap, normalScale }) };
   if (mode === 'normals') return new MeshNormalMaterial(shape);
   const white = new MeshStandardMaterial({ ...shape, aoMap: shaded.aoMap ?? null, roughness: 1, metalness: 0 });
-  white.color.setScalar(GREY);
+  white.color.setScalar(WHITE);
   return white;
 }
 
