@@ -22,6 +22,8 @@ constexpr int kUsualQuality = 50;   ///< of a map that does not fill the ceiling
 constexpr int kLargestTexture = 8192;
 constexpr int kFewest = 40;         ///< triangles
 constexpr int kSteps = 3;           ///< in one direction
+constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
+constexpr int kFineBits = 13;       ///< of a place, where there is room for all triangles
 constexpr int kLandings = 6;        ///< trials that may be spent on meeting the limit
 
 /// Where the number of triangles is fixed, bytes are saved as long as that shows little.
@@ -95,7 +97,8 @@ class Search {
   Answer start() {
     Recipe recipe;
     recipe.painting = subject_.needs_map ? Painting::map : subject_.coloured ? Painting::vertices : Painting::none;
-    if (aim() < 6500) recipe.position_bits = 9;
+    recipe.position_bits = kFineBits;
+    if (affordable(recipe) < most()) recipe.position_bits = aim() < 6500 ? 9 : Recipe{}.position_bits;
     recipe.texture = first_texture();
     if (options_.max_error > 0 || subject_.fixed_triangles > 0) recipe.map_quality = kUsualQuality;
     return ask(recipe);
@@ -136,7 +139,7 @@ class Search {
   }
 
   Answer choose_colour_quadrics() {
-    if (!subject_.coloured || best().painting == Painting::own) return Answer::worse;
+    if (!subject_.coloured || best().painting == Painting::own || is_whole(history_[best_])) return Answer::worse;
     return ask_with([](Recipe& r) { r.colour_weight = 0.02; });
   }
 
@@ -186,9 +189,10 @@ class Search {
   }
 
   Answer choose_bits() {
-    Change const fewer = [](Recipe& r) { r.position_bits = std::max(r.position_bits - 1, 8); };
-    Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, 14); };
-    return aim() < 11000 ? walk(&Search::ask, fewer, more) : walk(&Search::ask, more, fewer);
+    constexpr int steps = kMostBits - kLeastBits;
+    Change const fewer = [](Recipe& r) { r.position_bits = std::max(r.position_bits - 1, kLeastBits); };
+    Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kMostBits); };
+    return aim() < 11000 ? walk(&Search::ask, fewer, more, steps) : walk(&Search::ask, more, fewer, steps);
   }
 
   Answer choose_colours() {
@@ -210,15 +214,15 @@ class Search {
   }
 
   /// One way as long as that pays, else the other way.
-  Answer walk(Answer (Search::*question)(Recipe), Change one, Change other) {
+  Answer walk(Answer (Search::*question)(Recipe), Change one, Change other, int steps = kSteps) {
     for (Change change : {one, other}) {
-      for (int step = 0; step < kSteps; ++step) {
+      for (int step = 0; step < steps; ++step) {
         Recipe recipe = best();
         change(recipe);
         Answer const answer = (this->*question)(recipe);
         if (answer == Answer::none) return answer;
         if (answer == Answer::worse && step == 0) break;
-        if (answer == Answer::worse || step == kSteps - 1) return answer;
+        if (answer == Answer::worse || step == steps - 1) return answer;
       }
     }
     return Answer::worse;

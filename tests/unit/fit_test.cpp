@@ -89,6 +89,14 @@ TEST(Fit, SpendsOnTheMapWhatTheOriginalsFewTrianglesLeave) {
   EXPECT_GT(best.recipe.texture, 256);
 }
 
+TEST(Fit, BeginsWithFinePlacesWhereAllTrianglesFit) {  // coarse ones would hide what each of the other choices is worth
+  Subject const spider{1368, true, true};
+  std::vector<Trial> const history = search(spider, {.max_kb = 16}, {});
+  EXPECT_EQ(history.front().recipe.position_bits, 13);
+  EXPECT_TRUE(std::ranges::all_of(history, [](Trial const& t) { return t.recipe.colour_weight == 0; }));  // nothing collapses
+  EXPECT_EQ(search(kPhoto, {.max_kb = 16}, {}).front().recipe.position_bits, 10);
+}
+
 TEST(Fit, KeepsTheOriginalsTextureWhereThatIsBestAndNoLargerThanItIs) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::own ? 0.1 : 1; };
