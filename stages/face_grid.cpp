@@ -8,6 +8,8 @@ namespace vitrine {
 namespace {
 
 constexpr double kMostCells = 1 << 19;
+constexpr float kCell = 2;     ///< in reaches: most queries end in one cell, most faces lie in a few
+constexpr float kSlack = 1e-3f;  ///< of a cell, around faces and queries: more than all rounding
 
 }  // namespace
 
@@ -25,7 +27,7 @@ FaceGrid::FaceGrid(TriMesh const& mesh, float reach) : reach_(reach) {
   box.min -= V3f(reach_), box.max += V3f(reach_);
   V3d const size(box.size());
   origin_ = box.min;
-  cell_ = float(std::max(double(reach_), std::cbrt(size.x * size.y * size.z / kMostCells)));
+  cell_ = float(std::max(double(kCell * reach_), std::cbrt(size.x * size.y * size.z / kMostCells)));
   if (!(cell_ > 0)) return;
   for (int k = 0; k < 3; ++k) cells_[k] = std::max(1, int(std::ceil(size[k] / cell_)));
 
@@ -52,27 +54,29 @@ FaceGrid::Face FaceGrid::face(V3f const& corner, V3f const& b, V3f const& c) {
           {float(u.length2()), float(v.length2()), float((u + v).length2())}};
 }
 
-/// Calls visit(cell) for cells that come within reach of the face; for a few more as well.
+FaceGrid::Cells FaceGrid::cells_between(V3f const& low, V3f const& high) const {
+  Cells cells;
+  for (int k = 0; k < 3; ++k) {
+    cells.from[k] = std::clamp(int((low[k] - origin_[k]) / cell_ - kSlack), 0, cells_[k] - 1);
+    cells.to[k] = std::clamp(int((high[k] - origin_[k]) / cell_ + kSlack), 0, cells_[k] - 1);
+  }
+  return cells;
+}
+
+/// Calls visit(cell) for cells that the face touches; for a few more as well.
 template <class Visit>
 void FaceGrid::for_cells(Face const& face, Visit const& visit) const {
-  V3f const low = V3f(std::min(0.f, std::min(face.b.x, face.c.x)), std::min(0.f, std::min(face.b.y, face.c.y)),
-                      std::min(0.f, std::min(face.b.z, face.c.z)));
-  V3f const high = V3f(std::max(0.f, std::max(face.b.x, face.c.x)), std::max(0.f, std::max(face.b.y, face.c.y)),
-                       std::max(0.f, std::max(face.b.z, face.c.z)));
-  Imath::V3i from, to;
-  for (int k = 0; k < 3; ++k) {
-    float const corner = face.corner[k] - origin_[k];
-    from[k] = std::clamp(int((corner + low[k] - reach_) / cell_), 0, cells_[k] - 1);
-    to[k] = std::clamp(int((corner + high[k] + reach_) / cell_), 0, cells_[k] - 1);
-  }
+  Box3f box(face.corner);
+  box.extendBy(face.corner + face.b);
+  box.extendBy(face.corner + face.c);
+  auto const [from, to] = cells_between(box.min, box.max);
   V3f const n = face.normal;
-  float const thickness = reach_ * 1.001f + cell_ / 2 * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+  float const thickness = cell_ * (0.5f + kSlack) * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
   for (int z = from.z; z <= to.z; ++z)
     for (int y = from.y; y <= to.y; ++y)
       for (int x = from.x; x <= to.x; ++x) {
         V3f const centre = origin_ + V3f(float(x) + 0.5f, float(y) + 0.5f, float(z) + 0.5f) * cell_;
-        if (std::abs((centre - face.corner).dot(n)) > thickness) continue;
-        visit((std::size_t(z) * cells_.y + y) * cells_.x + x);
+        if (std::abs((centre - face.corner).dot(n)) <= thickness) visit(index({x, y, z}));
       }
 }
 
@@ -104,11 +108,21 @@ std::optional<FaceGrid::Match> FaceGrid::closest(V3f const& point, V3f const& si
   V3f const place = (point - origin_) / cell_;
   for (int k = 0; k < 3; ++k)
     if (!(place[k] >= 0 && place[k] < float(cells_[k]))) return std::nullopt;
-  std::size_t const cell = (std::size_t(place.z) * cells_.y + std::size_t(place.y)) * cells_.x + std::size_t(place.x);
   std::optional<Match> best;
   float least = reach_ * reach_;
+  auto const search = [&](std::size_t cell) {
+    for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i)
+      if (listed_[i] != hint) improve(listed_[i], point, side, best, least);
+  };
   if (hint < faces_.size()) improve(hint, point, side, best, least);
-  for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) improve(listed_[i], point, side, best, least);
+  std::size_t const home = index(Imath::V3i(int(place.x), int(place.y), int(place.z)));
+  search(home);
+  V3f const radius(std::sqrt(least));
+  auto const [from, to] = cells_between(point - radius, point + radius);
+  for (int z = from.z; z <= to.z; ++z)
+    for (int y = from.y; y <= to.y; ++y)
+      for (int x = from.x; x <= to.x; ++x)
+        if (std::size_t const cell = index({x, y, z}); cell != home) search(cell);
   return best;
 }
 

@@ -12,7 +12,7 @@
 
 namespace vitrine {
 
-/// A uniform grid whose cells list the faces within `reach()` of any point inside. Immutable; any thread.
+/// A uniform grid whose cells list the faces that touch them. Immutable; any thread.
 class FaceGrid {
  public:
   struct Match {
@@ -40,6 +40,11 @@ class FaceGrid {
   static Face face(V3f const& corner, V3f const& b, V3f const& c);
 
   void improve(std::uint32_t index, V3f const& point, V3f const& side, std::optional<Match>& best, float& least) const;
+  struct Cells {
+    Imath::V3i from, to;
+  };
+  std::size_t index(Imath::V3i const& cell) const { return (std::size_t(cell.z) * cells_.y + cell.y) * cells_.x + cell.x; }
+  Cells cells_between(V3f const& low, V3f const& high) const;  ///< both within, and in the grid
   template <class Visit>
   void for_cells(Face const& face, Visit const& visit) const;
 
