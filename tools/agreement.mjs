@@ -8,6 +8,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs, promisify } from 'node:util';
+import { putInto, table } from './marked_page.mjs';
 
 const USAGE = `usage: tools/agreement.mjs --referee SCRIPT.mjs --models ARCHIVE --gallery GALLERY [OPTION...]
   --vitrine PROGRAM  the program (build/release/vitrine)
@@ -20,7 +21,6 @@ const SETTINGS = [
   { name: 'sphere', set: 'sphere', views: '24', light: 'head' },
   { name: 'sphere, side light', set: 'sphere', views: '24', light: 'side' },
 ];
-const MARKS = ['<!-- made by tools/agreement.mjs -->', '<!-- end -->'];
 const LIMITS = { mse: (theirs) => Math.max(0.05, 0.05 * theirs), ssim: () => 0.005 };
 
 function options() {
@@ -72,19 +72,10 @@ function cells({ name, setting, ours: a, theirs: b, off }) {
   return [name, setting, a.mse.toFixed(3), b.mse.toFixed(3), part, a.ssim.toFixed(4), b.ssim.toFixed(4), (a.ssim - b.ssim).toFixed(4), off.length ? `**${off.join(', ')}**` : 'yes'];
 }
 
-function table(rows) {
+function report(rows) {
   const head = ['input', 'views', 'MSE', "referee's", 'difference', 'SSIM', "referee's", 'difference', 'agree'];
-  const line = (c) => `| ${c.join(' | ')} |`;
   const apart = rows.filter((r) => r.off.length).length;
-  return [line(head), line(head.map((_, k) => (k < 2 ? '---' : '--:'))), ...rows.map((r) => line(cells(r))), '', `${rows.length - apart} of ${rows.length} agree.`].join('\n');
-}
-
-function putInto(page, text) {
-  const [begin, end] = MARKS;
-  const whole = fs.readFileSync(page, 'utf8');
-  const from = whole.indexOf(begin), to = whole.indexOf(end);
-  if (from < 0 || to < from) throw new Error(`${page} lacks the lines ${begin} and ${end}`);
-  fs.writeFileSync(page, `${whole.slice(0, from + begin.length)}\n\n${text}\n\n${whole.slice(to)}`);
+  return `${table(head, rows.map(cells), 2)}\n\n${rows.length - apart} of ${rows.length} agree.`;
 }
 
 async function main() {
@@ -96,9 +87,9 @@ async function main() {
     for (const setting of SETTINGS)
       rows.push(await measured(given, { name: input, file: path.join(given.models, input) }, path.join(given.gallery, thumb), setting));
   }
-  const text = table(rows);
+  const text = report(rows);
   console.log(text);
-  if (!given.only) putInto(given.page, text);
+  if (!given.only) putInto(given.page, 'tools/agreement.mjs', text);
   process.exitCode = rows.some((r) => r.off.length) ? 1 : 0;
 }
 

@@ -4,6 +4,7 @@
 #include "tests/support/folders.h"
 #include "tools/report/ablation.h"
 #include "tools/report/page.h"
+#include "tools/report/page_table.h"
 #include "tools/report/paper_tables.h"
 #include "tools/report/words.h"
 
@@ -58,6 +59,18 @@ TEST(PaperTables, AblationTellsWhatAChoiceIsWorth) {
   without.options.fit.without = Choice::refit;
   tried.ablation = {{whole, {thumbnail(16'000, 8), thumbnail(16'000, 25)}}, {without, {thumbnail(16'000, 16), thumbnail(16'000, 25)}}};
   EXPECT_THAT(to_csv(ablation(tried)), HasSubstr("refit,1.414,0.0000,1,2.000,lion,2.00\r\n"));
+}
+
+TEST(PaperTables, APageCountsItsCodeOnceAndPicturesNone) {
+  Gallery gallery = study().gallery;
+  EXPECT_TRUE(page_table(gallery).rows.empty()) << "galleries that do not say";
+  gallery.page = {{"viewer", {{"gzip", 150'000}}}, {"decoder", {{"gzip", 50'000}}}, {"objects", 10}, {"thumbnails", 100'000},
+                  {"series", {{"jpeg90", {{"8", 400'000}}}}}};
+  EXPECT_EQ(to_csv(page_table(gallery)),
+            "objects as,\"first, KB\",\"all, KB\",\"first, s at 1.6 Mbit/s\",\"first, s at 10 Mbit/s\",\"first, s at 50 Mbit/s\","
+            "\"all, s at 1.6 Mbit/s\",\"all, s at 10 Mbit/s\",\"all, s at 50 Mbit/s\"\r\n"
+            "\"3D, with viewer and decoder\",210.0,300.0,1.05,0.17,0.03,1.50,0.24,0.05\r\n"
+            "\"8 pictures, JPEG q90\",40.0,400.0,0.20,0.03,0.01,2.00,0.32,0.06\r\n");
 }
 
 TEST(PaperTables, CodecsHaveTheirUsualNames) {

@@ -104,7 +104,8 @@ Gallery read_gallery(fs::path const& folder) {
     throw Error(ErrorKind::invalid_input, "no report.json in " + folder.string(), "name a folder that vitrine convert made");
   return of_file(file, [&] {
     Json const report = read_json(file);
-    Gallery gallery{folder, report.at("archive").get<std::string>(), report.at("options"), {}, {}};
+    Gallery gallery{folder, report.at("archive").get<std::string>(), report.at("options"), {}, {}, {}};
+    gallery.page = report.value("page", Json::object());
     for (Json const& row : report.at("rows")) {
       if (row.contains("certificate"))
         gallery.models.push_back(read_model(folder, row));

@@ -43,6 +43,7 @@ struct Gallery {
   Json options;                       ///< that it was made with
   std::vector<Model> models;          ///< those that have a certificate, in the archive's order
   std::vector<std::string> left_out;  ///< inputs of the others
+  Json page = Json::object();         ///< what report.json says of the page's bytes
 };
 
 /// Errors: InvalidInput, naming the key, where something is missing or of another kind.

@@ -5,6 +5,7 @@
 #include "tools/report/ablation.h"
 #include "tools/report/escape.h"
 #include "tools/report/figures.h"
+#include "tools/report/page_table.h"
 #include "tools/report/paper_tables.h"
 #include "tools/report/words.h"
 
@@ -110,7 +111,7 @@ struct Charts {
 };
 
 void publish_tables(Study const& study, std::filesystem::path const& folder) {
-  std::vector<Table> tables{table1(study), table2(study), table3(study), table4(study), verdicts(study)};
+  std::vector<Table> tables{table1(study), table2(study), table3(study), table4(study), verdicts(study), page_table(study.gallery)};
   if (!study.ablation.empty()) tables.push_back(ablation(study));
   for (Table const& table : tables) {
     io::publish_file(folder / (table.name + ".csv"), to_csv(table));
@@ -139,6 +140,9 @@ std::string body(Study const& study, Charts const& charts, Pictures const& pictu
   out += "<h2>Bytes</h2>\n" + section(table3(study)) + section(charts.bars, "figure4.svg") +
          section(charts.bars_by_texture, "figure4-texture.svg");
   out += "<h2>Error</h2>\n" + section(table4(study)) + section(charts.curves, "curves.svg");
+  if (Table const page = page_table(study.gallery); !page.rows.empty())
+    out += "<h2>What visitors load</h2>\n<p>Code is counted once, as by gzip; posters, which both have, are not. Times are those of the bytes alone.</p>\n" +
+           section(page);
   if (!study.ablation.empty()) out += "<h2>The search</h2>\n" + section(ablation(study));
   out += "<h2>Model by model</h2>\n<p>Figure 5: original, thumbnail, and their squared difference times 8.</p>\n";
   for (std::size_t m = 0; m < study.gallery.models.size(); ++m) out += model_section(study, pictures, m);
