@@ -15,7 +15,8 @@ export function writeGallery(objects, page) {
 }
 
 // Opens it. `complaints` collects whatever should not be: errors, warnings of three, failed or foreign requests, violations of the
-// content security policy. `window.contexts` counts WebGL contexts.
+// content security policy. `window.contexts` counts WebGL contexts, `window.untilFirst` the bytes that were loaded when the first
+// object was there, pictures apart.
 export async function openGallery(folder, { width = 1280, height = 800, gzip = false, ...context } = {}) {
   const server = await serve({ '/some/where/': folder }, { gzip });
   const browser = await openBrowser();
@@ -51,10 +52,23 @@ export async function openGallery(folder, { width = 1280, height = 800, gzip = f
       for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
       return btoa(text);
     };
+    const look = () => {
+      if (![...document.querySelectorAll('vitrine-thumbnail')].some((card) => card.model)) return setTimeout(look, 5);
+      window.untilFirst = [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
+        .filter(({ name, initiatorType }) => initiatorType !== 'img' && !name.startsWith('blob:')).reduce((sum, entry) => sum + entry.encodedBodySize, 0);
+    };
+    look();
     document.addEventListener('securitypolicyviolation', (event) => console.error(`policy: ${event.violatedDirective} ${event.blockedURI}`));
   });
   await page.goto(`${server.url}/some/where/index.html`);
   return { page, complaints, server, close: async () => { await browser.close(); await server.close(); } };
+}
+
+export const MOST_FIRST = 350e3; // bytes until the first object is there, pictures apart
+
+export async function bytesUntilFirst(page) {
+  await page.waitForFunction(() => window.untilFirst);
+  return page.evaluate(() => window.untilFirst);
 }
 
 // The thumbnail of the card at this place.

@@ -5,12 +5,11 @@ import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { change, openGallery, overWhite, pictureOf, pixels, shown } from './gallery_page.mjs';
+import { bytesUntilFirst, change, MOST_FIRST, openGallery, overWhite, pictureOf, pixels, shown } from './gallery_page.mjs';
 
 const folder = process.env.VITRINE_WEB_GALLERY;
 const { objects, page: weight } = JSON.parse(fs.readFileSync(path.join(folder, 'gallery.json'), 'utf8'));
 const AXE = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const MOST_FIRST = 350e3; // bytes until the first object is there, posters apart
 
 let page, complaints, close;
 
@@ -34,11 +33,7 @@ function mse1e4(a, b) {
 }
 
 test('the first object is there after 350 KB', async () => {
-  const bytes = await page.evaluate(async () => {
-    while (![...document.querySelectorAll('vitrine-thumbnail')].some((card) => card.model)) await new Promise((done) => setTimeout(done, 5));
-    return [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
-      .filter(({ name, initiatorType }) => initiatorType !== 'img' && !name.startsWith('blob:')).reduce((sum, entry) => sum + entry.encodedBodySize, 0);
-  });
+  const bytes = await bytesUntilFirst(page);
   assert.ok(bytes > 200e3 && bytes <= MOST_FIRST, `${bytes} bytes`);
 });
 
