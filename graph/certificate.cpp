@@ -2,6 +2,9 @@
 #include "graph/certificate.h"
 
 #include "graph/options_json.h"
+#include "graph/settings.h"
+#include "io/codec_versions.h"
+#include "io/dependencies.h"
 
 #include <cmath>
 
@@ -46,12 +49,25 @@ json program_json() { return {{"name", "vitrine"}, {"version", VITRINE_VERSION}}
 
 json certificate_json(ModelRow const& row, ModelOptions const& options) {
   json out = {{"schema", 1},
+              {"title", row.title},
               {"input", input_json(row)},
               {"program", program_json()},
-              {"options", options_json(options)}};
+              {"build", build_id()},
+              {"codecs", io::codec_versions()},
+              {"options", options_json(options)},
+              {"settings", settings_hash(options, row.title, row.up)}};
   out.update(outcome_json(row));
   if (row.recipe) out["search"]["trials"] = trials_json(row.trials);
+  out["repairs"] = repairs_json(row.repairs);
+  out["notes"] = row.notes;
+  out["files"] = row.files;
   return out;
+}
+
+std::string certificate_text(ModelRow const& row, ModelOptions const& options) {
+  json certificate = certificate_json(row, options);
+  certificate["seal"] = io::content_hash(to_text(certificate));
+  return to_text(certificate);
 }
 
 }  // namespace vitrine::graph

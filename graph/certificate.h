@@ -5,7 +5,12 @@
 #include "graph/options.h"
 #include "graph/report.h"
 
+#include "graph/record.h"
+
 #include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
 
 namespace vitrine::graph {
 
@@ -15,5 +20,12 @@ nlohmann::ordered_json program_json();
 /// certificate.json (schema 1) of a measured model: what it was made from, how, and how good it is. The same model,
 /// options and program give the same certificate.
 nlohmann::ordered_json certificate_json(ModelRow const& row, ModelOptions const& options);
+
+/// The certificate's file: its last member, `seal`, is the hash of all others.
+std::string certificate_text(ModelRow const& row, ModelOptions const& options);
+
+/// All that the reports say of a finished model, times and estimates apart, from its certificate's text. Nothing when the
+/// seal does not fit, or it is not one of this schema.
+std::optional<Record> record_from_certificate(std::string const& text, std::string const& slug);
 
 }  // namespace vitrine::graph

@@ -3,6 +3,7 @@
 /// What travels on the graph's edges: a model's job, and either the value of the last stage or the failure that ended
 /// it.
 
+#include "graph/options.h"
 #include "graph/report.h"
 #include "graph/study.h"
 #include "graph/trace.h"
@@ -38,6 +39,7 @@ struct Levels {
 /// One model on its way. Only the node that holds the message touches it; what it points to is immutable.
 struct Job {
   io::ArchiveEntry const* entry = nullptr;
+  RunOptions const* run = nullptr;
   std::uint64_t memory = 0;  ///< bytes that it was admitted with
   std::size_t number = 0;    ///< in the archive
   Trace* trace = nullptr;    ///< where one is kept

@@ -2,6 +2,7 @@
 #pragma once
 /// Everything that can be chosen, as one value; and its visitor, from which flags, reports and docs/options.md follow.
 
+#include "io/archive.h"
 #include "io/read_model.h"
 #include "io/write_glb.h"
 #include "stages/bake.h"
@@ -13,6 +14,9 @@
 #include "stages/simplify.h"
 
 #include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string_view>
 
 namespace vitrine::graph {
 
@@ -72,6 +76,9 @@ struct RunOptions {
   std::uint64_t memory = 0;  ///< bytes that the program may take; 0: default_memory()
   std::filesystem::path gallery;
   std::filesystem::path trace{};  ///< where to write what happened when; empty: nowhere
+  std::size_t models = 0;    ///< under way at once; 0: twice the threads
+  std::function<void(io::ArchiveEntry const&, std::string_view stage)> stage{};  ///< a model enters a stage; from any thread
+  std::stop_token stop{};  ///< once stop is requested, no further model is begun
 };
 
 }  // namespace vitrine::graph

@@ -2,6 +2,7 @@
 #include "graph/pipeline.h"
 
 #include "graph/admission.h"
+#include "graph/arrival.h"
 #include "graph/message.h"
 #include "graph/stage_body.h"
 #include "graph/steps.h"
@@ -24,7 +25,6 @@ namespace {
 constexpr std::uint64_t kProgramMemory = 150'000'000;
 
 namespace flow = tbb::flow;
-namespace fs = std::filesystem;
 
 struct Admitted {};
 struct Surveyed {};
@@ -36,25 +36,12 @@ using In = std::shared_ptr<T const>;
 // ---- Before and after
 // -------------------------------------------------------------------------------------------------
 
-std::uint64_t memory_of(io::Estimate const& estimate, ClusterOptions const& options) {
-  bool const thinned = estimate.thinned > 0 && estimate.triangles > std::uint64_t(options.above);
-  return thinned ? std::min(estimate.thinned, estimate.memory) : estimate.memory;
-}
-
-/// What is known of a model before it is opened.
-JobPtr arrive(io::ArchiveEntry const& entry, ClusterOptions const& clusters) {
+JobPtr arrive(io::ArchiveEntry const& entry, ModelOptions const& options, RunOptions const& run) {
   auto job = std::make_shared<Job>();
   job->entry = &entry;
-  job->memory = memory_of(entry.estimate, clusters);
-  ModelRow& row = job->row;
-  row.input = entry.path;
-  row.slug = entry.slug;
-  row.metadata = entry.metadata;
-  row.input_bytes = entry.bytes;
-  row.memory = job->memory;
-  auto const title = entry.metadata.find("title");
-  bool const titled = title != entry.metadata.end() && !title->second.empty();
-  row.title = titled ? title->second : fs::path(entry.path).stem().string();
+  job->run = &run;
+  job->row = arriving(entry, options.cluster);
+  job->memory = job->row.memory;
   return job;
 }
 
@@ -64,9 +51,11 @@ std::string gigabytes(std::uint64_t bytes) {
   return text.insert(text.size() - 2, ".") + " GB";
 }
 
+Failure const kStopped{"admit", "the run was stopped before its turn", "run the same command again", Cause::stopped};
+
 Failure too_large(std::uint64_t bytes, std::uint64_t memory) {
   return {"admit", "needs an estimated " + gigabytes(bytes) + " of memory, and --memory allows " + gigabytes(memory),
-          "run again with --memory " + std::to_string(bytes / 1'000'000'000 + 1) + "GB or more"};
+          "run again with --memory " + std::to_string(bytes / 1'000'000'000 + 1) + "GB or more", Cause::memory};
 }
 
 /// The last place of a message: its failure, if any, goes into its row.
@@ -111,7 +100,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
 
   std::vector<ModelRow> rows(archive.entries.size());
   std::vector<JobPtr> waiting(archive.entries.size());
-  Admission admission(memory, 2 * threads);
+  Admission admission(memory, run.models > 0 ? run.models : 2 * threads);
   auto const number = [&](JobPtr const& job) { return std::size_t(job->entry - archive.entries.data()); };
 
   std::optional<Trace> trace;
@@ -123,7 +112,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   };
 
   flow::input_node<Event> discover(g, [&, next = std::size_t{0}](tbb::flow_control& control) mutable -> Event {
-    if (next < archive.entries.size()) return arrive(archive.entries[next++], options.cluster);
+    if (next < archive.entries.size()) return arrive(archive.entries[next++], options, run);
     control.stop();
     return {};
   });
@@ -143,6 +132,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
       job->admitted = job->ready = Trace::Clock::now();
       Message<Admitted> message{job, std::make_shared<Admitted const>()};
       if (job->memory == 0) message.value = too_large(job->row.memory + kProgramMemory, allowed);
+      if (run.stop.stop_requested()) message.value = kStopped;
       std::get<0>(out).try_put(message);
     }
     if (trace) trace->memory(admission.memory_in_use(), admission.models_in_flight());

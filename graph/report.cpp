@@ -23,6 +23,8 @@ json seconds_json(ModelRow const& row) {
   return stages;
 }
 
+}  // namespace
+
 json repairs_json(Repairs const& r) {
   return {{"nonfiniteVertices", r.nonfinite_vertices},
           {"degenerateFaces", r.degenerate_faces},
@@ -30,6 +32,8 @@ json repairs_json(Repairs const& r) {
           {"repairedNormals", r.repaired_normals},
           {"flippedFaces", r.flipped_faces}};
 }
+
+namespace {
 
 json measure_json(Measurement const& m) {
   MeasureOptions const& o = m.options;

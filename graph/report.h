@@ -22,8 +22,18 @@
 
 namespace vitrine::graph {
 
+/// Whose fault it is: only what lies in the model is remembered against it.
+enum class Cause {
+  model,    ///< the same bytes fail again
+  memory,   ///< of this machine, for what ran at once
+  disk,     ///< the gallery's is full
+  machine,  ///< the gallery cannot be written
+  stopped   ///< the run ended before
+};
+
 struct Failure {
   std::string stage, reason, remedy;
+  Cause cause = Cause::model;
 };
 
 /// How far the published file is from its original, as a client shows both.
@@ -52,10 +62,11 @@ struct ModelRow : Made {
   std::string input;  ///< path in the archive
   std::string slug, title;
   std::map<std::string, std::string> metadata;
-  std::string status = "failed";  ///< "done" or "failed"
-  Failure failure;                ///< of a failed one
+  std::string status = "failed";  ///< "done", "failed", "quarantined" (it takes the program down) or "pending" (not reached)
+  Failure failure;                ///< of all that are not done
   std::string thumb, poster, series_folder, x3d, x3d_zip, certificate;  ///< paths in the gallery, of a finished one; "": not written
 
+  std::map<std::string, std::string> files;  ///< all that were published, by path in the gallery: content hashes
   struct SeriesWritten {
     int frames = 0, rows = 0;
     std::size_t bytes = 0;
@@ -90,6 +101,7 @@ std::string describe(ModelRow const& failed);
 nlohmann::ordered_json report_json(std::vector<ModelRow> const& rows, std::string const& archive,
                                    nlohmann::ordered_json const& options, double wall_seconds);
 
+nlohmann::ordered_json repairs_json(Repairs const& repairs);
 nlohmann::ordered_json recipe_json(Recipe const& recipe);
 
 /// Keys of a finished model that the report and the certificate share: bytes, mesh, bake and, if measured, measure,

@@ -4,11 +4,13 @@
 /// An exception that left a node's body would cancel the whole graph.
 
 #include "graph/message.h"
+#include "io/fault.h"
 #include "stages/error.h"
 
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <exception>
 #include <filesystem>
@@ -20,6 +22,12 @@
 
 namespace vitrine::graph {
 
+/// A full disk is never the model's fault, nor is a gallery that cannot be written.
+inline Cause cause_of(std::filesystem::filesystem_error const& error, std::string_view stage) {
+  if (error.code() == std::errc::no_space_on_device || error.code().value() == EDQUOT) return Cause::disk;
+  return stage == "publish" ? Cause::machine : Cause::model;
+}
+
 /// What the exception in flight says, as a failure of this stage. Call inside a catch block.
 inline Failure current_failure(std::string_view stage) {
   try {
@@ -28,9 +36,9 @@ inline Failure current_failure(std::string_view stage) {
     return {std::string(stage), e.what(), e.remedy()};
   } catch (std::bad_alloc const&) {
     return {std::string(stage), "out of memory",
-            "convert it alone, or lower --memory so that fewer models share the machine"};
+            "convert it alone, or lower --memory so that fewer models share the machine", Cause::memory};
   } catch (std::filesystem::filesystem_error const& e) {
-    return {std::string(stage), e.what(), "check the gallery's disk space and permissions"};
+    return {std::string(stage), e.what(), "check the gallery's disk space and permissions", cause_of(e, stage)};
   } catch (std::exception const& e) {
     return {std::string(stage), std::string("unexpected: ") + e.what(), "please report this model as a bug"};
   } catch (...) {
@@ -67,6 +75,8 @@ auto stage(std::string_view name, Body body) {
     auto const begin = Trace::Clock::now();
     Message<Out> out{in.job, Failure{}};
     try {
+      if (in.job->run->stage) in.job->run->stage(*in.job->entry, name);
+      io::fault(name, in.job->entry->path);
       out.value = std::make_shared<Out const>(body(std::get<std::shared_ptr<In const>>(in.value), *in.job));
     } catch (...) {
       out.value = current_failure(name);

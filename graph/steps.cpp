@@ -2,8 +2,9 @@
 #include "graph/steps.h"
 
 #include "graph/certificate.h"
+#include "graph/model_folder.h"
+#include "io/fault.h"
 #include "io/image_codec.h"
-#include "io/publish.h"
 #include "stages/clean.h"
 #include "stages/cluster.h"
 #include "stages/detail.h"
@@ -94,15 +95,6 @@ std::vector<RivalSeries> rivals(std::vector<SeriesSizes> const& series) {
     for (SeriesSize const& size : coded.sizes)
       out.push_back({std::string(coded.codec), size.frames, size.bytes, size.turning_mse1e4});
   return out;
-}
-
-/// The X3DOM page and its zip, where there are any.
-void publish_x3d(EncodedThumbnail const& thumbnail, fs::path const& gallery, fs::path const& folder, ModelRow& row) {
-  if (thumbnail.x3d.empty()) return;
-  for (NamedFile const& file : thumbnail.x3d) io::publish_file(gallery / folder / "x3d" / file.name, file.bytes);
-  row.x3d = folder / "x3d/index.html";
-  row.x3d_zip = folder / "thumb.x3d.zip";
-  io::publish_file(gallery / row.x3d_zip, thumbnail.x3d_zip);
 }
 
 /// How far pictures of a thinned scan are from those of the whole: MSE x 10^4 over some views.
@@ -266,6 +258,7 @@ EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
   bool const fill = !job.levels->fixed && job.study->recipe().map_quality == 0;
   std::size_t const most = fill ? std::size_t(1000 * options.fit.max_kb) : io::kAnySize;
   EncodedThumbnail thumbnail = io::encode(baked, job.row.title, options.encode, most);
+  io::garble("result", job.entry->path, thumbnail.glb);
   ModelRow& row = job.row;
   row.triangles = thumbnail.triangles;
   row.vertices = thumbnail.vertices;
@@ -311,22 +304,20 @@ Finished certify(EncodedThumbnail const& thumbnail, PublishOptions const& option
 
 void publish_model(Finished const& finished, ModelOptions const& options, fs::path const& gallery, Job& job) {
   ModelRow& row = job.row;
-  fs::path const folder = fs::path("models") / row.slug;
-  row.thumb = folder / "thumb.glb";
-  row.poster = folder / "poster.jpg";
-  io::publish_file(gallery / row.thumb, finished.thumbnail.glb);
-  io::publish_file(gallery / row.poster, poster_jpeg(finished.poster));
-  publish_x3d(finished.thumbnail, gallery, folder, row);
+  ModelFolder folder(gallery, row);
+  folder.write("thumb.glb", finished.thumbnail.glb);
+  folder.write("poster.jpg", poster_jpeg(finished.poster));
+  for (NamedFile const& file : finished.thumbnail.x3d) folder.write("x3d/" + file.name, file.bytes);
+  if (!finished.thumbnail.x3d.empty()) folder.write("thumb.x3d.zip", finished.thumbnail.x3d_zip);
   if (finished.series) {
-    row.series_folder = folder / "series";
+    publish_series(gallery / "models" / row.slug / "series", *finished.series);
+    for (SeriesFile const& file : finished.series->files) folder.enter("series/" + file.name);
+    folder.enter("series/series.json");
     auto const& manifest = finished.series->manifest;
     row.series_written = {manifest["frames"], manifest["rows"], manifest["bytes"]};
-    publish_series(gallery / row.series_folder, *finished.series);
   }
-  if (row.measurement) {
-    row.certificate = folder / "certificate.json";
-    io::publish_file(gallery / row.certificate, to_text(certificate_json(row, options)));
-  }
+  folder.settle();
+  if (row.measurement) folder.certify(certificate_text(row, options));
   row.status = "done";
 }
 

@@ -55,10 +55,10 @@ class Trace {
   std::vector<Memory> memory_;
 };
 
-/// Bytes of this process in memory now, and the most so far.
+/// Bytes of this process in memory now, and the most that it or a worker of it had.
 std::uint64_t memory_used();
 std::uint64_t peak_memory();
-/// Seconds that its threads have computed so far.
+/// Seconds that its threads and its workers have computed so far.
 double cpu_seconds();
 
 }  // namespace vitrine::graph

@@ -169,7 +169,8 @@ void read_catalogue(fs::path const& file, Archive& archive) {
 
 }  // namespace
 
-Archive read_archive(fs::path const& root, ArchiveOptions const& options) {
+Archive read_archive(fs::path const& root, ArchiveOptions const& options,
+                     std::function<bool(ArchiveEntry const&)> const& opening) {
   std::error_code error;
   if (!fs::is_directory(root, error))
     throw Error(ErrorKind::invalid_input, root.string() + " is no folder", "name the folder that holds the models");
@@ -180,7 +181,8 @@ Archive read_archive(fs::path const& root, ArchiveOptions const& options) {
   std::sort(archive.notes.begin(), archive.notes.end());
   if (fs::path const catalogue = root / kCatalogue; fs::is_regular_file(catalogue, error))
     read_catalogue(catalogue, archive);
-  for (ArchiveEntry& entry : archive.entries) entry.estimate = estimate(entry);
+  for (ArchiveEntry& entry : archive.entries)
+    if (!opening || opening(entry)) entry.estimate = estimate(entry);
   return archive;
 }
 

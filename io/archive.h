@@ -43,8 +43,10 @@ struct Archive {
 
 /// Walks the folder. Symbolic links that leave it, and special files (FIFO, socket, device), are passed over with a note.
 /// archive.csv (RFC 4180, UTF-8, a header row with at least `path`) at the root gives metadata and up axes.
+/// `opening` hears of each entry before its header is read, and says whether to.
 /// Errors: InvalidInput when root is no folder, or archive.csv is malformed (with its line).
-Archive read_archive(std::filesystem::path const& root, ArchiveOptions const& options = {});
+Archive read_archive(std::filesystem::path const& root, ArchiveOptions const& options = {},
+                     std::function<bool(ArchiveEntry const&)> const& opening = {});
 
 /// Reads headers only; a damaged file is judged by its size.
 Estimate estimate(ArchiveEntry const& entry);

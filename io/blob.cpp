@@ -106,12 +106,12 @@ std::optional<fs::path> in_any_case(fs::path const& folder, fs::path const& path
   return found;
 }
 
-/// Maps the file unless symbolic links led out of `folder`.
-Blob map_inside(fs::path const& folder, fs::path const& file, std::string_view reference) {
+/// The file itself, unless symbolic links lead out of `folder`.
+fs::path inside(fs::path const& folder, fs::path const& file, std::string_view reference) {
   fs::path const real = fs::canonical(file), home = fs::canonical(folder);
   if (std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first != home.end())
     throw leads_out(reference, "is a symbolic link that leads out of the model's folder");
-  return map_file(real);
+  return real;
 }
 
 }  // namespace
@@ -140,17 +140,23 @@ Blob map_file(fs::path const& path) {
   return {{static_cast<std::byte const*>(start), size}, std::move(owner)};
 }
 
+std::optional<fs::path> find_in(fs::path const& where, std::string_view reference) {
+  fs::path const folder = where.empty() ? fs::path(".") : where;
+  fs::path const literal = relative_path(std::string(reference), reference);
+  fs::path const decoded = relative_path(percent_decoded(reference), reference);
+  std::error_code error;
+  for (fs::path const& path : {literal, decoded})
+    if (fs::is_regular_file(folder / path, error)) return inside(folder, folder / path, reference);
+  for (fs::path const& path : {literal, decoded})
+    if (std::optional<fs::path> const found = in_any_case(folder, path); found && fs::is_regular_file(*found, error))
+      return inside(folder, *found, reference);
+  return std::nullopt;
+}
+
 Resolve resolve_in(fs::path const& folder) {
-  return [folder = folder.empty() ? fs::path(".") : folder](std::string_view reference) -> std::optional<Blob> {
-    fs::path const literal = relative_path(std::string(reference), reference);
-    fs::path const decoded = relative_path(percent_decoded(reference), reference);
-    std::error_code error;
-    for (fs::path const& path : {literal, decoded})
-      if (fs::is_regular_file(folder / path, error)) return map_inside(folder, folder / path, reference);
-    for (fs::path const& path : {literal, decoded})
-      if (std::optional<fs::path> const found = in_any_case(folder, path); found && fs::is_regular_file(*found, error))
-        return map_inside(folder, *found, reference);
-    return std::nullopt;
+  return [folder](std::string_view reference) -> std::optional<Blob> {
+    std::optional<fs::path> const found = find_in(folder, reference);
+    return found ? std::optional(map_file(*found)) : std::nullopt;
   };
 }
 

@@ -31,6 +31,9 @@ Blob map_file(std::filesystem::path const& path);
 /// Errors: InvalidInput for a name that leads out of the model's folder (absolute, "..", symbolic link, URL).
 using Resolve = std::function<std::optional<Blob>(std::string_view reference)>;
 
+/// Where a reference leads, as resolve_in finds it; nothing when there is no such file. Errors: as Resolve.
+std::optional<std::filesystem::path> find_in(std::filesystem::path const& folder, std::string_view reference);
+
 /// Resolves in one folder: backslashes are slashes, %20-escapes are tried literally first, then decoded; a name in another
 /// case is taken where it is the only one.
 Resolve resolve_in(std::filesystem::path const& folder);

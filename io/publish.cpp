@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/publish.h"
 
+#include "io/fault.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -38,12 +40,14 @@ class Descriptor {
 };
 
 void write_whole(Descriptor& file, std::span<std::byte const> bytes, fs::path const& path) {
+  if (int const error = injected_error("write")) fail("cannot write", path, error);
   while (!bytes.empty()) {
     ssize_t const written = ::write(file.get(), bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail("cannot write", path, errno);
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
+  if (int const error = injected_error("fsync")) fail("cannot flush to disk", path, error);
   if (::fsync(file.get()) != 0) fail("cannot flush to disk", path, errno);
   if (file.close() != 0) fail("cannot write", path, errno);
 }
@@ -80,7 +84,9 @@ void publish_file(fs::path const& path, std::span<std::byte const> bytes) {
     Descriptor file(aside, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
     if (!file.is_open()) fail("cannot make", aside, errno);
     write_whole(file, bytes, path);
+    if (int const error = injected_error("rename")) fail("cannot rename", path, error);
     fs::rename(aside, path);
+    fault("renamed");
   } catch (...) {
     std::error_code ignored;
     fs::remove(aside, ignored);
@@ -90,6 +96,10 @@ void publish_file(fs::path const& path, std::span<std::byte const> bytes) {
 }
 
 void publish_file(fs::path const& path, std::string_view text) { publish_file(path, std::as_bytes(std::span(text))); }
+
+void withdraw_file(fs::path const& path) {
+  if (fs::remove(path)) flush_folder(path.parent_path());
+}
 
 void sweep_unfinished(fs::path const& folder) {
   std::vector<fs::path> found;

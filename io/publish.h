@@ -15,6 +15,9 @@ namespace vitrine::io {
 void publish_file(std::filesystem::path const& path, std::span<std::byte const> bytes);
 void publish_file(std::filesystem::path const& path, std::string_view text);
 
+/// Removes a file for good, if it is there: on return no crash brings it back. Errors: as publish_file.
+void withdraw_file(std::filesystem::path const& path);
+
 /// Removes what an interrupted run left aside below `folder`; call it while nothing is being published there.
 void sweep_unfinished(std::filesystem::path const& folder);
 

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/convert.h"
 
-#include "graph/progress.h"
+#include "graph/chronicle.h"
+#include "graph/guard.h"
+#include "graph/summary.h"
 #include "graph/trace.h"
+#include "graph/work.h"
+#include "graph/worker.h"
+#include "io/fault.h"
+#include "io/lock.h"
 #include "io/publish.h"
-#include "stages/error.h"
 #include "tools/command_line.h"
+#include "tools/command_memory.h"
 #include "tools/gallery_page.h"
+#include "tools/morning.h"
 #include "tools/printable.h"
+#include "tools/rehearsal.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +25,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <thread>
 
 namespace vitrine::tools {
@@ -24,25 +33,66 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kComplete = 0, kNothingFound = 1, kSomeFailed = 3;
+constexpr int kComplete = 0, kFatal = 1, kSomeFailed = 3, kDiskFull = 5, kMachine = 6, kBusy = 11, kInterrupted = 75;
 
-/// Expected time of each model, in any unit: a constant share and one by size.
-std::vector<double> costs(io::Archive const& archive) {
-  std::vector<double> costs;
-  for (io::ArchiveEntry const& entry : archive.entries) costs.push_back(3e5 + double(entry.estimate.triangles));
-  return costs;
+constexpr std::chrono::seconds kFollows{3};  ///< a worker whose guard was killed takes to be gone
+
+/// What the command asks for; whoever does the work adds what is known.
+graph::Work work_of(ConvertCommand const& command) {
+  graph::Work work;
+  work.archive = command.archive;
+  work.reading = command.reading;
+  work.model = command.model;
+  work.run = command.run;
+  work.freshness.verify = command.verify;
+  work.dry = command.dry_run;
+  return work;
 }
 
-void publish_reports(ConvertCommand const& command, std::vector<graph::ModelRow> const& rows, double seconds) {
+graph::GuardOptions guard_options(ConvertCommand const& command, io::Lock const& lock) {
+  graph::GuardOptions options;
+  options.arguments = command_line();
+  options.lock = lock.descriptor();
+  options.gallery = command.run.gallery;
+  options.model = command.model;
+  options.memory = command.run.memory;
+  options.stall_limit = command.stall_limit;
+  if (!command.stop_at.empty()) options.stop_at = next_time(command.stop_at, std::time(nullptr));
+  return options;
+}
+
+/// Runs the guard and lets everybody follow it.
+graph::GuardReport watch_over(graph::Night& night, ConvertCommand const& command, io::Lock const& lock) {
+  graph::Chronicle chronicle(night, command.run.gallery, command.log, isatty(STDERR_FILENO));
+  graph::GuardListener listener;
+  listener.event = [&](nlohmann::json const& message) { chronicle.event(message); };
+  listener.say = [&](std::string const& line) { chronicle.say(printable(line)); };
+  listener.converting = [&] { chronicle.converting(); };
+  listener.left = [&](graph::Record const& record) {
+    chronicle.left(record);
+    if (record.row.status != "done") chronicle.say(printable(graph::describe(record.row)));
+  };
+  listener.tick = [&] { chronicle.tick(); };
+  graph::GuardReport const report = graph::guard(night, guard_options(command, lock), listener);
+  chronicle.end(report.ending == graph::Ending::complete ? "complete" : "stopped");
+  return report;
+}
+
+void publish_reports(ConvertCommand const& command, graph::Night const& night, graph::Summary const& summary) {
   fs::path const& gallery = command.run.gallery;
+  std::vector<graph::ModelRow> const rows = night.rows();
   std::string const archive = fs::absolute(command.archive).lexically_normal();
-  nlohmann::ordered_json report = graph::report_json(rows, archive, graph::options_json(command.model), seconds);
+  nlohmann::ordered_json report = graph::report_json(rows, archive, graph::options_json(command.model), summary.seconds);
+  report["run"] = graph::run_json(summary);
   nlohmann::ordered_json shown = graph::gallery_json(rows);
   report["page"] = shown["page"] = page_weight(gallery, rows, page_sizes());
   report["cpuSeconds"] = graph::cpu_seconds();
   report["peakMemory"] = graph::peak_memory();
+  io::fault("reports:before");
   io::publish_file(gallery / "report.json", graph::to_text(report));
+  io::fault("reports:between");
   io::publish_file(gallery / "report.csv", graph::report_csv(rows));
+  io::publish_file(gallery / "report.html", summary_html(summary, rows));
   io::publish_file(gallery / "gallery.json", graph::to_text(shown));
 }
 
@@ -53,51 +103,86 @@ double busy(graph::RunOptions const& run, double seconds) {
   return std::min(1.0, graph::cpu_seconds() / (seconds * cores));
 }
 
-void print_summary(std::vector<graph::ModelRow> const& rows, graph::RunOptions const& run, double seconds) {
-  fs::path const& gallery = run.gallery;
-  std::size_t done = 0, bytes = 0;
-  for (graph::ModelRow const& row : rows)
-    if (row.status == "done") ++done, bytes += row.bytes.total;
-  fmt::print("{} of {} models converted in {:.1f} s", done, rows.size(), seconds);
-  if (done > 0) fmt::print(", {:.1f} KB each on average", double(bytes) / double(done) / 1000);
-  fmt::print("\n");
-  if (done < rows.size())
-    fmt::print("{} failed: see {}\n", rows.size() - done, printable((gallery / "report.csv").string()));
-  fmt::print("cores {:.0f} % busy, at most {:.2f} GB of memory\n", 100 * busy(run, seconds), double(graph::peak_memory()) / 1e9);
-  fmt::print("look at it: vitrine serve {}\n", printable(gallery.string()));
+void prune(graph::Night const& night, fs::path const& gallery) {
+  for (std::string const& slug : night.orphans()) fs::remove_all(gallery / "models" / slug);
+}
+
+int exit_code(graph::Night const& night, graph::GuardReport const& report) {
+  if (night.archive().entries.empty()) return kFatal;
+  switch (report.ending) {
+    case graph::Ending::complete: break;
+    case graph::Ending::interrupted: return night.complete() ? kComplete : kInterrupted;
+    case graph::Ending::disk: return kDiskFull;
+    case graph::Ending::machine: return kMachine;
+    case graph::Ending::refused: return kFatal;
+  }
+  int code = kComplete;
+  for (graph::ModelRow const& row : night.rows())
+    if (row.status != "done") code = std::max(code, row.failure.cause == graph::Cause::machine ? kMachine : kSomeFailed);
+  return code;
+}
+
+/// Says why there is nothing to report on.
+void refuse(ConvertCommand const& command, graph::GuardReport const& report) {
+  if (!report.reason.empty())
+    fmt::print(stderr, "error: {}\n", printable(report.reason));
+  else
+    fmt::print(stderr, "error: no model found below {}; PLY, OBJ, STL, OFF, glTF and GLB files are read\n",
+               printable(command.archive.string()));
+}
+
+/// One run, from the lock to the summary.
+int run(ConvertCommand const& command) {
+  auto const start = std::chrono::steady_clock::now();
+  fs::path const& gallery = command.run.gallery;
+  io::Lock const lock(graph::lock_file(gallery), kFollows);
+  if (!lock.held()) {
+    fmt::print(stderr, "error: another run holds {}\n", printable(gallery.string()));
+    return kBusy;
+  }
+  io::sweep_unfinished(gallery);
+  remember_command(gallery);
+  graph::Night night(gallery);
+  night.forget(command.retry);
+  graph::GuardReport const report = watch_over(night, command, lock);
+  if (night.archive().entries.empty()) {
+    refuse(command, report);
+    return exit_code(night, report);
+  }
+  if (command.prune) prune(night, gallery);
+  double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  graph::Summary const summary = graph::summarise(night, report, seconds, gallery);
+  publish_reports(command, night, summary);
+  publish_page(gallery, night.rows(), command.model.encode.x3dom);
+  fmt::print("{}", summary_text(summary, gallery.string()));
+  fmt::print("cores {:.0f} % busy, at most {:.2f} GB of memory\n", 100 * busy(command.run, seconds), double(graph::peak_memory()) / 1e9);
+  return exit_code(night, report);
+}
+
+/// What a run would do: nothing is written.
+int rehearse(ConvertCommand const& command) {
+  graph::Work work = work_of(command);
+  work.known = graph::recorded(command.run.gallery);
+  Rehearsal rehearsal;
+  graph::WorkEvents events;
+  events.archive = [&](io::Archive const& archive) { rehearsal.archive = archive; };
+  events.stage = [](auto const&, auto const&) {};
+  events.fresh = [&](graph::Record const& record) { rehearsal.fresh.push_back(record); };
+  events.todo = [&](std::string const& slug, std::string const& why) { rehearsal.todo[slug] = why; };
+  events.converting = [] {};
+  graph::do_work(work, events);
+  fmt::print("{}", rehearsal_text(rehearsal, work));
+  return rehearsal.archive.entries.empty() ? kFatal : kComplete;
 }
 
 }  // namespace
 
-int convert(ConvertCommand const& command) {
-  auto const start = std::chrono::steady_clock::now();
-  io::Archive const archive = io::read_archive(command.archive, command.reading);
-  for (std::string const& note : archive.notes) fmt::print(stderr, "note: {}\n", printable(note));
-  if (archive.entries.empty()) {
-    fmt::print(stderr, "error: no model found below {}; PLY, OBJ, STL, OFF, glTF and GLB files are read\n",
-               printable(command.archive.string()));
-    return kNothingFound;
-  }
-  fs::create_directories(command.run.gallery);
-  io::sweep_unfinished(command.run.gallery);
-
-  std::vector<double> const cost = costs(archive);
-  std::vector<graph::ModelRow> rows;
-  {
-    double total = 0;
-    for (double c : cost) total += c;
-    graph::Progress progress(archive.entries.size(), total, isatty(STDERR_FILENO));
-    rows = graph::run_pipeline(archive, command.model, command.run, [&](graph::ModelRow const& row, std::size_t entry) {
-      progress.finished(cost[entry], row.status != "done");
-      if (row.status != "done") progress.say(printable(graph::describe(row)));
-    });
-  }
-  double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  publish_reports(command, rows, seconds);
-  publish_page(command.run.gallery, rows, command.model.encode.x3dom);
-  print_summary(rows, command.run, seconds);
-  bool const all = std::all_of(rows.begin(), rows.end(), [](auto const& row) { return row.status == "done"; });
-  return all ? kComplete : kSomeFailed;
+int convert(ConvertCommand const& command) try {
+  if (graph::is_worker()) return graph::run_worker(work_of(command));
+  return command.dry_run ? rehearse(command) : run(command);
+} catch (fs::filesystem_error const& error) {
+  fmt::print(stderr, "error: {}\n", printable(error.what()));
+  return error.code() == std::errc::no_space_on_device ? kDiskFull : kMachine;
 }
 
 }  // namespace vitrine::tools

@@ -13,4 +13,11 @@ inline std::string printable(std::string text) {
   return text;
 }
 
+/// The same of several lines, whose ends stay.
+inline std::string printable_lines(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7f; }, '?');
+  return text;
+}
+
 }  // namespace vitrine::tools

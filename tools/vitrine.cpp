@@ -5,7 +5,9 @@
 #include "tools/command_line.h"
 #include "tools/convert.h"
 #include "tools/evaluate.h"
+#include "tools/command_memory.h"
 #include "tools/model_flags.h"
+#include "tools/night.h"
 #include "tools/report/report.h"
 #include "tools/serve.h"
 #include "tools/series.h"
@@ -43,6 +45,32 @@ void add_machine(CLI::App& app, graph::RunOptions& run) {
       ->type_name("SIZE");
 }
 
+/// How a run goes on where another ended, and when it ends.
+void add_night(CLI::App& app, tools::ConvertCommand& command) {
+  app.add_flag("--dry-run", command.dry_run, "say what would be done, how long it may take, and write nothing")->group("Night");
+  app.add_flag("--verify", command.verify,
+               "hash every original and every thumbnail again, instead of trusting the file system's times of change")
+      ->group("Night");
+  std::map<std::string, graph::Retry> const retries{{"failed", graph::Retry::failed}, {"quarantined", graph::Retry::quarantined}};
+  app.add_option("--retry", command.retry, "try failures again though nothing has changed; quarantined: those models, too")
+      ->transform(CLI::CheckedTransformer(retries).description(""))
+      ->type_name("failed|quarantined")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeFirst)
+      ->default_str("")
+      ->group("Night");
+  app.add_flag("--prune", command.prune, "remove thumbnails of models that are no longer in the archive")->group("Night");
+  app.add_option("--stop-at", command.stop_at, "begin no model after this time of day; the same command goes on later")
+      ->check(CLI::Validator(tools::check_time, "", ""))
+      ->type_name("HH:MM")
+      ->group("Night");
+  app.add_option("--stall-limit", command.stall_limit, "a model that stays in one stage for longer hangs (default: by its size, 300 or more)")
+      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->type_name("SECONDS")
+      ->default_str("")
+      ->group("Night");
+  app.add_option("--log", command.log, "append everything that happens, as lines of JSON")->type_name("FILE")->group("Night");
+}
+
 Verb convert_verb(CLI::App& app) {
   auto command = std::make_shared<tools::ConvertCommand>();
   app.add_option("archive", command->archive, "folder of scans, searched in depth")
@@ -57,9 +85,42 @@ Verb convert_verb(CLI::App& app) {
   app.add_option("--exclude", command->reading.exclude, "pass over paths that match; may be repeated")
       ->type_name("GLOB");
   add_machine(app, command->run);
+  add_night(app, *command);
   app.add_option("--trace", command->run.trace, "write what each thread and model did when, for ui.perfetto.dev")->type_name("FILE.json");
   tools::add_model_flags(app, command->model);
   return [command] { return tools::convert(*command); };
+}
+
+CLI::Option* add_gallery(CLI::App& app, std::filesystem::path& gallery) {
+  return app.add_option("gallery", gallery, "folder that convert made")->required()->check(CLI::ExistingDirectory);
+}
+
+Verb status_verb(CLI::App& app) {
+  auto gallery = std::make_shared<std::filesystem::path>();
+  add_gallery(app, *gallery);
+  return [gallery] { return tools::status(*gallery); };
+}
+
+Verb why_verb(CLI::App& app) {
+  auto gallery = std::make_shared<std::filesystem::path>();
+  auto model = std::make_shared<std::string>();
+  add_gallery(app, *gallery);
+  app.add_option("model", *model, "its path in the archive, or a part of it that no other has")->required();
+  return [gallery, model] { return tools::why(*gallery, *model); };
+}
+
+Verb retry_verb(CLI::App& app) {
+  auto gallery = std::make_shared<std::filesystem::path>();
+  auto quarantined = std::make_shared<bool>(false);
+  add_gallery(app, *gallery);
+  app.add_flag("--quarantined", *quarantined, "also models that took the program down");
+  return [gallery, quarantined] { return tools::retry(*gallery, *quarantined); };
+}
+
+Verb check_verb(CLI::App& app) {
+  auto gallery = std::make_shared<std::filesystem::path>();
+  add_gallery(app, *gallery);
+  return [gallery] { return tools::check(*gallery); };
 }
 
 Verb serve_verb(CLI::App& app) {
@@ -139,6 +200,10 @@ constexpr struct {
   Verb (*make)(CLI::App&);
 } kVerbs[] = {
     {"convert", "turn every model below a folder into a 3D thumbnail", convert_verb},
+    {"status", "how far a gallery's run is, or how it ended", status_verb},
+    {"why", "what became of one model, and why", why_verb},
+    {"retry", "run a gallery's last command again, with its failures", retry_verb},
+    {"check", "compare every published file with what was published", check_verb},
     {"evaluate", "measure a thumbnail against its original", evaluate_verb},
     {"report", "write the paper's tables and figures for a gallery's models", report_verb},
     {"serve", "show a gallery on localhost", serve_verb},

@@ -3,7 +3,7 @@
 #include "stages/error.h"
 #include "tests/support/folders.h"
 #include "tests/support/meshes.h"
-#include "tools/convert.h"
+#include "tests/support/program.h"
 #include "tools/report/report.h"
 
 #include <gmock/gmock.h>
@@ -40,13 +40,8 @@ class PaperReport : public testing::Test {
   }
 
   static void convert(std::string const& name) {
-    tools::ConvertCommand command;
-    command.archive = archive();
-    command.run.gallery = gallery(name);
-    command.model.simplify.triangles = 200;
-    command.model.pack.texture = 64;
-    command.model.publish.viewport = 40;
-    tools::convert(command);
+    test::Program({VITRINE_PROGRAM, "convert", archive(), "--out", gallery(name), "--triangles", "200", "--texture", "64",
+                   "--viewport", "40"}, folder() / "output").wait();
   }
   static void run(std::string const& name, int threads = 2) {
     ReportCommand command;

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph/guard.h"
+
+#include "graph/admission.h"
+#include "graph/arrival.h"
+#include "graph/child.h"
+#include "graph/events.h"
+#include "graph/settings.h"
+#include "graph/signals.h"
+#include "graph/suspects.h"
+#include "graph/wire.h"
+#include "graph/worker.h"
+#include "io/fault.h"
+
+#include <nlohmann/json.hpp>
+
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <deque>
+
+namespace vitrine::graph {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kTick = 200;                          ///< milliseconds
+constexpr std::chrono::seconds kDying{2};           ///< a process may take from closing its files to being gone
+constexpr std::size_t kLogLines = 20;               ///< of evidence
+constexpr int kBarrenDeaths = 3;                    ///< workers that die before they open a model
+constexpr int kUnwritable = 5;                      ///< models that could not be published, until it must be the gallery
+constexpr std::uintmax_t kDiskReserve = 16'000'000; ///< bytes; below them no model is begun
+
+struct Step {
+  std::string stage;
+  Clock::time_point since;
+};
+
+/// A model that is quarantined.
+struct Conviction {
+  Failure failure;
+  std::string evidence;
+};
+
+/// Why the guard itself ended a worker.
+struct Verdict {
+  std::string reason, remedy;
+};
+
+class Guard {
+ public:
+  Guard(Night& night, GuardOptions const& options, GuardListener const& listener)
+      : night_(night), options_(options), listener_(listener), memory_(options.memory ? options.memory : default_memory()) {
+    hear();
+  }
+
+  GuardReport run() {
+    while (!ended_ && (!suspects_.all().empty() || !passed_)) round();
+    return report_;
+  }
+
+ private:
+  // ---- What the worker says
+
+  void hear() {
+    events_.archive = [this](io::Archive const& archive) {
+      in_flight_.clear();
+      if (night_.archive().entries.empty())
+        for (std::string const& note : archive.notes) listener_.say("note: " + note);
+      night_.found(archive);
+      for (auto const& [slug, found] : convicts_)  // before the archive was known
+        if (io::ArchiveEntry const* const entry = night_.entry(slug); entry && !night_.settled(slug)) enter(*entry, found);
+    };
+    events_.stage = [this](std::string const& slug, std::string const& stage) {
+      if (stage == "estimate") in_flight_.clear();  // one after the other
+      in_flight_[slug] = {stage, Clock::now()};
+    };
+    events_.fresh = [this](Record const& record) {
+      in_flight_.erase(record.row.slug);
+      suspects_.clear(record.row.slug);
+      keep([&] { night_.fresh(record); });
+    };
+    events_.todo = [this](std::string const& slug, std::string const& why) {
+      in_flight_.erase(slug);
+      if (!alone_) night_.todo(slug, why);
+    };
+    events_.converting = [this] {
+      if (!alone_ && !announced_) listener_.converting();
+      announced_ = true;
+    };
+    events_.finished = [this](Record const& record) { finished(record); };
+  }
+
+  void message(json const& said) {
+    silent_since_ = Clock::now();
+    listener_.event(said);
+    std::string const event = said.value("event", "");
+    if (event == "end") {
+      through_ = true;
+    } else if (event == "error") {
+      end(Ending::refused, said.value("what", "") + "; " + said.value("remedy", ""));
+    } else if (event == "confined") {
+      report_.confinement = said.value("level", "");
+      report_.missing = said.value("missing", "");
+      if (report_.workers == 1 && !report_.missing.empty())
+        listener_.say("warning: models are opened without the protection of " + report_.missing);
+    } else if (!deliver(said, events_)) {
+      condemn({"the worker spoke nonsense", "please report this model as a bug"});
+    }
+  }
+
+  void finished(Record const& record) {
+    Failure const& failure = record.row.failure;
+    in_flight_.erase(record.row.slug);
+    if (record.row.status != "done" && failure.cause == Cause::stopped) return;
+    if (record.row.status != "done" && failure.cause == Cause::disk) return stop(Ending::disk, failure.reason);
+    if (record.row.status != "done" && failure.cause == Cause::memory && failure.stage != "admit" && !alone_)
+      return suspects_.suspect(record.row.slug);  // others may have taken it
+    if (failure.cause == Cause::machine && ++unwritable_ >= kUnwritable) stop(Ending::machine, failure.reason);
+    settle(record);
+  }
+
+  void settle(Record const& record) {
+    suspects_.clear(record.row.slug);
+    keep([&] { night_.finished(record); });
+    listener_.left(record);
+  }
+
+  /// A ledger that cannot be written ends the night; it is no model's fault.
+  template <class Entry>
+  void keep(Entry const& entry) {
+    try {
+      entry();
+    } catch (fs::filesystem_error const& error) {
+      bool const full = error.code() == std::errc::no_space_on_device;
+      stop(full ? Ending::disk : Ending::machine, error.what());
+    }
+  }
+
+  // ---- One worker's life
+
+  void round() {
+    alone_ = !suspects_.all().empty();
+    through_ = false;
+    condemned_.reset();
+    in_flight_.clear();
+    lines_.clear();
+    silent_since_ = Clock::now();
+    ++report_.workers;
+    Child child(options_.arguments, options_.lock);
+    child_ = &child;
+    io::fault("guard:spawned");
+    send(child.orders(), to_json(order()));
+    if (stopping_) send(child.orders(), {{"order", "stop"}});
+    int const status = listen(child);
+    child_ = nullptr;
+    io::fault("guard:buried");
+    if (!through_ && !ended_) return autopsy(status);
+    if (stopping_) ended_ = true;
+    if (alone_)
+      for (std::string const& slug : std::set<std::string>(suspects_.all())) suspects_.clear(slug);  // gone from the archive
+    else
+      passed_ = true;
+  }
+
+  Order order() const {
+    Order order{night_.known(), night_.settled(), {}, {}, memory_, alone_};
+    for (auto const& [slug, found] : convicts_) order.unopened.insert(slug);
+    if (alone_) order.only = suspects_.all();
+    return order;
+  }
+
+  /// Until it is dead and all it said is heard.
+  int listen(Child& child) {
+    Inbox inbox(child.events());
+    auto const take = [this](json const& said) { message(said); };
+    bool open = true;
+    Clock::time_point closed{};
+    for (;;) {
+      std::optional<int> const status = child.status();
+      pollfd fds[] = {{child.events(), short(open ? POLLIN : 0), 0}, {child.log(), POLLIN, 0}, {signals_.descriptor(), POLLIN, 0}};
+      if (!open) fds[0].fd = -1;
+      if (log_closed_) fds[1].fd = -1;
+      ::poll(fds, 3, status ? 0 : kTick);
+      if (fds[0].revents && !(open = inbox.read(take))) closed = Clock::now();
+      if (fds[1].revents) read_log(child.log());
+      if (fds[2].revents) signalled();
+      if (status && !(open && fds[0].revents) && !fds[1].revents) break;
+      if (!open && !through_ && !status && Clock::now() - closed > kDying) condemn({"it closed the worker's line to the guard", "please report this model as a bug"});
+      watch(child);
+      listener_.tick();
+    }
+    log_closed_ = false;
+    return *child.status();
+  }
+
+  void read_log(int log) {
+    char piece[4096];
+    ssize_t const count = ::read(log, piece, sizeof piece);
+    if (count <= 0) {
+      log_closed_ = count == 0;
+      return;
+    }
+    unfinished_.append(piece, std::size_t(count));
+    for (std::size_t end; (end = unfinished_.find('\n')) != std::string::npos; unfinished_.erase(0, end + 1)) {
+      lines_.push_back(unfinished_.substr(0, std::min<std::size_t>(end, 500)));
+      if (lines_.size() > kLogLines) lines_.pop_front();
+      listener_.event({{"event", "log"}, {"line", lines_.back()}});
+    }
+    if (unfinished_.size() > 1 << 16) unfinished_.clear();
+  }
+
+  /// What the guard looks at between messages.
+  void watch(Child& child) {
+    Clock::time_point const now = Clock::now();
+    if (options_.stop_at && std::chrono::system_clock::now() >= *options_.stop_at)
+      stop(Ending::interrupted, "it is the time given by --stop-at");
+    std::error_code error;
+    if (fs::space_info const space = fs::space(options_.gallery, error); !error && space.available < kDiskReserve)
+      stop(Ending::disk, "less than 16 MB are left on the gallery's disk");
+    if (condemned_) return;
+    for (auto const& [slug, step] : in_flight_) {
+      io::ArchiveEntry const* const entry = night_.entry(slug);
+      double const limit = options_.stall_limit > 0 ? options_.stall_limit : entry ? stall_limit(*entry) : stall_limit({});
+      double const spent = std::chrono::duration<double>(now - step.since).count();
+      if (spent <= limit) continue;
+      std::string const seconds = std::to_string(int(limit));
+      return condemn({"no progress in " + seconds + " s", "raise --stall-limit if this machine is that slow, or please report this model as a bug"});
+    }
+    if (in_flight_.empty() && !through_ && now - silent_since_ > std::chrono::seconds(600)) return condemn({"the worker is silent", ""});
+    std::uint64_t const used = child.memory();
+    if (used > memory_ + memory_ / 4 + (256u << 20))
+      condemn({"used up the memory: " + std::to_string(used / 1'000'000) + " MB, and --memory allows " + std::to_string(memory_ / 1'000'000),
+               "run again with more --memory"});
+  }
+
+  void condemn(Verdict const& verdict) {
+    if (condemned_ || !child_) return;
+    condemned_ = verdict;
+    child_->kill();
+  }
+
+  // ---- Ends
+
+  void signalled() {
+    int const signal = signals_.take();
+    if (signal == 0 || signal == SIGCHLD) return;
+    if (stopping_) {
+      ended_ = true;
+      if (child_) child_->kill();
+      return;
+    }
+    listener_.say("stopping: " + std::to_string(in_flight_.size()) + " models are under way; once more to stop at once");
+    stop(Ending::interrupted, std::string("stopped by SIG") + sigabbrev_np(signal));
+  }
+
+  /// What is under way is finished, nothing else begun.
+  void stop(Ending ending, std::string const& reason) {
+    if (stopping_) return;
+    stopping_ = true;
+    report_.ending = ending;
+    report_.reason = reason;
+    if (child_) send(child_->orders(), {{"order", "stop"}});
+  }
+
+  void end(Ending ending, std::string const& reason) {
+    stop(ending, reason);
+    ended_ = true;
+  }
+
+  /// A worker died before it was through.
+  void autopsy(int status) {
+    std::set<std::string> victims;
+    for (auto const& [slug, step] : in_flight_) victims.insert(slug);
+    std::string const how = condemned_ ? condemned_->reason : describe_status(status);
+    listener_.event({{"event", "died"}, {"how", how}, {"inFlight", victims}});
+    if (stopping_) return void(ended_ = true);
+    if (victims.empty()) {
+      if (++barren_ >= kBarrenDeaths) end(Ending::machine, "the worker dies before it opens a model: " + how);
+      return;
+    }
+    bool const stranger = !condemned_ && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    std::optional<std::string> const culprit = suspects_.died(victims, stranger);
+    if (culprit) return quarantine(*culprit, how);
+    listener_.say("the worker died (" + how + ") with " + std::to_string(victims.size()) + " models under way; trying them one at a time");
+  }
+
+  void quarantine(std::string const& slug, std::string const& how) {
+    Conviction& found = convicts_[slug];
+    found.failure = {in_flight_[slug].stage, how, condemned_ ? condemned_->remedy : "please report this model as a bug"};
+    found.failure.remedy += "; vitrine retry --quarantined tries it again";
+    for (std::string const& line : lines_) found.evidence += line + "\n";
+    if (io::ArchiveEntry const* const entry = night_.entry(slug)) enter(*entry, found);
+  }
+
+  void enter(io::ArchiveEntry const& entry, Conviction const& found) {
+    Record record{arriving(entry, options_.model.cluster), settings_hash(options_.model, title_of(entry), entry.up), {}, 0, found.evidence};
+    record.row.status = "quarantined";
+    record.row.failure = found.failure;
+    record.row.input_hash = io::file_hash(entry.file);
+    settle(record);
+  }
+
+  Night& night_;
+  GuardOptions const& options_;
+  GuardListener const& listener_;
+  std::uint64_t memory_;
+  WorkEvents events_;
+  Signals signals_;
+  GuardReport report_;
+  Child* child_ = nullptr;
+  std::map<std::string, Step> in_flight_;
+  std::deque<std::string> lines_;
+  std::string unfinished_;
+  Clock::time_point silent_since_;
+  std::optional<Verdict> condemned_;
+  Suspects suspects_;
+  std::map<std::string, Conviction> convicts_;
+  int barren_ = 0, unwritable_ = 0;
+  bool alone_ = false, announced_ = false, through_ = false, passed_ = false, stopping_ = false, ended_ = false, log_closed_ = false;
+};
+
+}  // namespace
+
+GuardReport guard(Night& night, GuardOptions const& options, GuardListener const& listener) {
+  return Guard(night, options, listener).run();
+}
+
+double stall_limit(io::ArchiveEntry const& entry) { return 300 + double(entry.estimate.triangles) / 5000; }
+
+}  // namespace vitrine::graph
