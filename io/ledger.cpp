@@ -54,8 +54,8 @@ std::map<std::string, std::string> all_entries(sqlite3* database) {
   std::map<std::string, std::string> found;
   Statement all(database, "SELECT slug, entry, sum FROM models");
   while (all.step() == SQLITE_ROW) {
-    std::string entry = all.bytes(1);
-    if (content_hash(entry) == all.bytes(2)) found.emplace(all.bytes(0), std::move(entry));
+    std::string slug = all.bytes(0), entry = all.bytes(1);
+    if (content_hash(slug + entry) == all.bytes(2)) found.emplace(std::move(slug), std::move(entry));
   }
   return found;
 }
@@ -111,7 +111,7 @@ Ledger::Ledger(fs::path const& file) : file_(file) {
 std::map<std::string, std::string> Ledger::entries() const { return all_entries(database_.get()); }
 
 void Ledger::put(std::string const& slug, std::string const& entry) {
-  std::string const sum = content_hash(entry);
+  std::string const sum = content_hash(slug + entry);
   Statement statement(database_.get(), "INSERT OR REPLACE INTO models VALUES (?, ?, ?)");
   statement.bind(1, slug);
   statement.bind(2, entry);

@@ -50,10 +50,14 @@ TEST_F(LedgerFile, LeavesOutWhatIsDamaged) {
     ledger.put("a", std::string(100, 'a'));
     ledger.put("b", std::string(100, 'b'));
   }
-  std::string bytes = test::read_file(file_);
-  bytes[bytes.find("aaaaaaaa")] = 'A';
-  test::write_file(file_, bytes);
-  EXPECT_THAT(Ledger(file_).entries(), ElementsAre(Pair("b", std::string(100, 'b'))));
+  std::string const bytes = test::read_file(file_);
+  std::size_t const slug = bytes.find("aaaaaaaa");  // its bytes and its slug's are the same letter
+  for (std::size_t const at : {slug, slug + 50}) {
+    std::string damaged = bytes;
+    damaged[at] = 'A';
+    test::write_file(file_, damaged);
+    EXPECT_THAT(Ledger(file_).entries(), ElementsAre(Pair("b", std::string(100, 'b')))) << at - slug;
+  }
 }
 
 TEST_F(LedgerFile, NothingIsReadWhereNoneIs) {
