@@ -123,7 +123,7 @@ void act(std::string const& action) {
   if (action == "sleep") sleep_for_ever();
   if (action == "fork") start_a_process();
   if (action == "alloc") use_up_memory(std::size_t(100) << 30, 0ms);
-  if (action == "leak") use_up_memory(64 << 20, 5ms);
+  if (action == "leak") use_up_memory(64 << 20, 1ms);
   if (action == "exit") ::_exit(0);
   if (action == "close") ::close(4), sleep_for_ever();
   if (action == "throw") throw 42;

@@ -270,7 +270,7 @@ TEST_F(Night, AModelThatTakesTheProgramDownCostsItselfAlone) {
     add(name, int(i));
     faults += models[i].fault + "/" + name + ";";
   }
-  Outcome const outcome = run(convert("g", {"--stall-limit", "2", "--memory", "700MB"}), {faults});
+  Outcome const outcome = run(convert("g", {"--stall-limit", "6", "--memory", "700MB"}), {faults});
   EXPECT_EQ(outcome.code, 3) << outcome.output;
   std::map<std::string, std::string> reasons;
   nlohmann::json const told = report("g");
