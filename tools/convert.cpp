@@ -14,6 +14,7 @@
 #include "tools/command_memory.h"
 #include "tools/gallery_page.h"
 #include "tools/morning.h"
+#include "tools/plain_page.h"
 #include "tools/printable.h"
 #include "tools/rehearsal.h"
 
@@ -85,7 +86,9 @@ void publish_reports(ConvertCommand const& command, graph::Night const& night, g
   nlohmann::ordered_json report = graph::report_json(rows, archive, graph::options_json(command.model), summary.seconds);
   report["run"] = graph::run_json(summary);
   nlohmann::ordered_json shown = graph::gallery_json(rows);
-  report["page"] = shown["page"] = page_weight(gallery, rows, page_sizes());
+  shown["page"] = page_weight(gallery, rows, page_sizes());
+  offer_plain(gallery, shown);
+  report["page"] = shown["page"];
   report["cpuSeconds"] = graph::cpu_seconds();
   report["peakMemory"] = graph::peak_memory();
   io::fault("reports:before");

@@ -71,6 +71,8 @@ TEST(PaperTables, APageCountsItsCodeOnceAndPicturesNone) {
             "\"all, s at 1.6 Mbit/s\",\"all, s at 10 Mbit/s\",\"all, s at 50 Mbit/s\"\r\n"
             "\"3D, with viewer and decoder\",210.0,300.0,1.05,0.17,0.03,1.50,0.24,0.05\r\n"
             "\"8 pictures, JPEG q90\",40.0,400.0,0.20,0.03,0.01,2.00,0.32,0.06\r\n");
+  gallery.page["plain"] = {{"thumbnails", 120'000}};
+  EXPECT_THAT(to_csv(page_table(gallery)), HasSubstr("\"3D, with viewer\",162.0,270.0,"));
 }
 
 TEST(PaperTables, CodecsHaveTheirUsualNames) {

@@ -12,6 +12,7 @@ import { countText } from './text.js';
  * @property {string} thumb  address of the GLB, relative to the page
  * @property {string} poster
  * @property {number} bytes
+ * @property {{ glb: string, bytes: number }} [plain]  the same without Draco, where the page is lighter with these
  * @property {number} triangles
  * @property {number} [mse1e4]
  * @property {{ centre: number[], radius: number }} [sphere]
@@ -31,12 +32,17 @@ export function textElement(tag, text, name) {
   return element;
 }
 
+/** The file that the page shows. @param {GalleryObject} object */
+export const shownFile = ({ plain, thumb, bytes }) => plain ?? { glb: thumb, bytes };
+
 /** @param {GalleryObject} object */
-function thumbnail({ title, thumb, poster, bytes, mse1e4, sphere, series }) {
+function thumbnail(object) {
+  const { title, poster, mse1e4, sphere, series } = object;
+  const { glb, bytes } = shownFile(object);
   const element = document.createElement('vitrine-thumbnail');
   /** @type {Record<string, unknown>} */
   const attributes = {
-    src: thumb, alt: title, bytes, error: mse1e4, sphere: sphere && [...sphere.centre, sphere.radius].join(' '),
+    src: glb, alt: title, bytes, error: mse1e4, sphere: sphere && [...sphere.centre, sphere.radius].join(' '),
     series: series?.manifest, 'series-rows': series?.rows,
   };
   for (const [name, value] of Object.entries(attributes)) if (value !== undefined) element.setAttribute(name, String(value));

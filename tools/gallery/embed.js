@@ -2,6 +2,8 @@
 // @ts-check
 // The demonstration: an object of the gallery as any page would show it, the lines that do so, and the events that come of it.
 
+import { shownFile } from './card.js';
+
 /** @typedef {import('./card.js').GalleryObject} GalleryObject */
 
 const EVENTS = ['vitrine-load', 'vitrine-change', 'vitrine-view', 'vitrine-free', 'vitrine-error'];
@@ -11,10 +13,12 @@ const MOST_LINES = 12;
 const escaped = (text) => text.replace(/[&"<]/g, (c) => ({ '&': '&amp;', '"': '&quot;', '<': '&lt;' })[c] ?? c);
 
 /** @param {GalleryObject} object */
-function attributesOf({ thumb, poster, title, bytes, mse1e4, sphere, series }) {
+function attributesOf(object) {
+  const { poster, title, mse1e4, sphere, series } = object;
+  const { glb, bytes } = shownFile(object);
   /** @type {[string, unknown][]} */
   const attributes = [
-    ['src', new URL(`../${thumb}`, document.baseURI).pathname], ['poster', new URL(`../${poster}`, document.baseURI).pathname], ['alt', title],
+    ['src', new URL(`../${glb}`, document.baseURI).pathname], ['poster', new URL(`../${poster}`, document.baseURI).pathname], ['alt', title],
     ['sphere', sphere && [...sphere.centre, sphere.radius].map((x) => Number(x.toPrecision(6))).join(' ')], ['bytes', bytes], ['error', mse1e4?.toFixed(2)],
     ['series', series && new URL(`../${series.manifest}`, document.baseURI).pathname], ['series-rows', series?.rows],
   ];

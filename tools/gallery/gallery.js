@@ -2,7 +2,7 @@
 // @ts-check
 // The gallery page: gallery.json beside index.html says what there is to see. It draws nothing: cards are <vitrine-thumbnail>s,
 // whose script loads meanwhile.
-import { makeCard, textElement } from './card.js';
+import { makeCard, shownFile, textElement } from './card.js';
 import { byteText, countText } from './text.js';
 import { decodingText, weightTable, weightText } from './weight.js';
 
@@ -21,7 +21,7 @@ const order = /** @type {HTMLButtonElement} */ (byId('order'));
 /** @type {Record<string, (object: GalleryObject) => string | number>} */
 const KEYS = {
   name: ({ title }) => title,
-  bytes: ({ bytes }) => bytes,
+  bytes: (object) => shownFile(object).bytes,
   error: ({ mse1e4 }) => mse1e4 ?? Infinity,
   triangles: ({ triangles }) => triangles,
 };
@@ -47,7 +47,7 @@ function arrange(all) {
   const sign = order.getAttribute('aria-pressed') === 'true' ? -1 : 1;
   shown.sort((a, b) => sign * compare(key(a.object), key(b.object)));
   cards.replaceChildren(...shown.map(({ element }) => element));
-  const bytes = shown.reduce((sum, { object }) => sum + object.bytes, 0);
+  const bytes = shown.reduce((sum, { object }) => sum + shownFile(object).bytes, 0);
   const among = shown.length < all.length ? ` of ${all.length}` : '';
   status.textContent = shown.length === 0 ? 'No object fits.' : `${countText(shown.length, 'object')}${among}, ${byteText(bytes)}`;
 }

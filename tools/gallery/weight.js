@@ -10,6 +10,7 @@ import { byteText } from './text.js';
  * @typedef {object} PageWeight
  * @property {number} objects
  * @property {number} thumbnails
+ * @property {{ thumbnails: number }} [plain]  of the files that it shows in place of these, and that need no decoder
  * @property {number} posters
  * @property {Record<string, Record<string, number>>} series  bytes by coding and frames
  * @property {Size} [viewer]
@@ -43,14 +44,20 @@ function line(name, code, objects, count) {
   return row([name, byteText(first), byteText(all), ...BANDWIDTHS.map((b) => secondsText(seconds(first, b))), ...BANDWIDTHS.map((b) => secondsText(seconds(all, b)))], 'td');
 }
 
+/** What objects in 3D weigh. @param {PageWeight} page */
+function threeD({ viewer, decoder, thumbnails, plain }) {
+  if (plain) return { code: viewer?.gzip ?? 0, name: '3D, with viewer', thumbnails: plain.thumbnails };
+  return { code: (viewer?.gzip ?? 0) + (decoder?.gzip ?? 0), name: '3D, with viewer and decoder', thumbnails };
+}
+
 /** @param {PageWeight} page */
 export function weightTable(page) {
-  const code = (page.viewer?.gzip ?? 0) + (page.decoder?.gzip ?? 0);
+  const { code, name, thumbnails } = threeD(page);
   const table = document.createElement('table');
   const bands = BANDWIDTHS.map((b) => `${b} Mbit/s`);
   const head = document.createElement('thead'), body = document.createElement('tbody');
   head.append(row(['', 'first object', `all ${page.objects}`, ...bands.map((b) => `first at ${b}`), ...bands.map((b) => `all at ${b}`)], 'th'));
-  body.append(line('3D, with viewer and decoder', code, page.thumbnails, page.objects));
+  body.append(line(name, code, thumbnails, page.objects));
   for (const [coding, sums] of Object.entries(page.series))
     for (const [frames, bytes] of Object.entries(sums))
       body.append(line(`${frames} pictures, ${CODINGS[/** @type {keyof CODINGS} */ (coding)] ?? coding}`, 0, bytes, page.objects));
@@ -60,9 +67,10 @@ export function weightTable(page) {
 
 /** In words, above the table. @param {PageWeight} page */
 export function weightText(page) {
-  const viewer = page.viewer?.gzip ?? 0, decoder = page.decoder?.gzip ?? 0;
-  return `Thumbnails ${byteText(page.thumbnails)}, viewer ${byteText(viewer)}, Draco decoder ${byteText(decoder)} (code as by gzip); `
-    + `posters ${byteText(page.posters)} beside, whichever is shown. Of series of pictures no code is counted.`;
+  const viewer = byteText(page.viewer?.gzip ?? 0), decoder = byteText(page.decoder?.gzip ?? 0), { thumbnails } = threeD(page);
+  const parts = page.plain ? `Thumbnails ${byteText(thumbnails)} without Draco, as its decoder, ${decoder}, would not be worth it; viewer ${viewer}`
+    : `Thumbnails ${byteText(thumbnails)}, viewer ${viewer}, Draco decoder ${decoder}`;
+  return `${parts} (code as by gzip); posters ${byteText(page.posters)} beside, whichever is shown. Of series of pictures no code is counted.`;
 }
 
 /** @param {number[]} decodings milliseconds */

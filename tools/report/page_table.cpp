@@ -29,8 +29,11 @@ Table page_table(Gallery const& gallery) {
   for (char const* which : {"first", "all"})
     for (double megabits : kMegabits) table.columns.push_back(fmt::format("{}, s at {} Mbit/s", which, megabits));
   if (!(objects > 0) || !page.contains("viewer") || !page.contains("decoder")) return table;
-  double const code = page["viewer"].value("gzip", 0.0) + page["decoder"].value("gzip", 0.0);
-  table.rows.push_back(row("3D, with viewer and decoder", code, page.value("thumbnails", 0.0), objects));
+  double const viewer = page["viewer"].value("gzip", 0.0), decoder = page["decoder"].value("gzip", 0.0);
+  if (page.contains("plain"))
+    table.rows.push_back(row("3D, with viewer", viewer, page["plain"].value("thumbnails", 0.0), objects));
+  else
+    table.rows.push_back(row("3D, with viewer and decoder", viewer + decoder, page.value("thumbnails", 0.0), objects));
   Json const series = page.value("series", Json::object());
   for (auto const& [codec, sizes] : series.items())
     for (auto const& [frames, bytes] : sizes.items())
