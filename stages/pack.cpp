@@ -22,6 +22,7 @@ constexpr double kSmallest = 0.25;         ///< texels: at this size of the larg
 constexpr double kScalePrecision = 1.005;  ///< the search for the common scale stops here
 constexpr double kUsualFill = 0.85;        ///< of the square, gutters included: where the search starts
 constexpr double kStep = 0.95;             ///< while nothing fits, or everything
+constexpr int kMostCells = 640;            ///< along a side: larger atlases are packed by squares of several texels
 
 using Corners = std::array<V2d, 3>;
 
@@ -154,6 +155,15 @@ std::optional<Layout> place_shapes(std::vector<Shape> const& shapes, std::vector
   return layout;
 }
 
+/// The same by squares of `cell` texels.
+std::optional<Layout> place_shapes_by(int cell, std::vector<Shape> const& shapes, std::vector<V2d> const& upright, double scale,
+                                      int side, int gutter) {
+  auto layout = place_shapes(shapes, upright, scale / cell, side / cell, (gutter + cell - 1) / cell);
+  if (layout)
+    for (Placement& placement : *layout) placement.origin *= cell;
+  return layout;
+}
+
 /// Puts the shapes' upright boxes on shelves, the highest first; empty if they need more than the square.
 std::optional<Layout> place_boxes(std::vector<Shape> const& shapes, std::vector<V2d> const& upright, double scale,
                                   int side, int gutter) {
@@ -237,7 +247,7 @@ Atlas pack(FlatCharts const& charts, PackOptions const& options) {
   }
   int const border = (options.gutter + 1) / 2, side = std::max(0, options.texture - 2 * border);
   auto const place = [&](double scale) {
-    return options.packing == Packing::shapes ? place_shapes(shapes, upright, scale, side, options.gutter)
+    return options.packing == Packing::shapes ? place_shapes_by(1 + side / kMostCells, shapes, upright, scale, side, options.gutter)
                                               : place_boxes(shapes, upright, scale, side, options.gutter);
   };
   double const unit = largest > 0 ? largest : 1;

@@ -34,7 +34,7 @@ struct PackOptions {
 /// Out:    uv in [0,1]; each chart moved, rotated and scaled only; any two charts at least `gutter` texels apart, and
 ///         half a gutter from the edge; every texel whose square a chart touches belongs to that chart alone.
 /// Errors: LimitExceeded when the charts do not fit even at one texel each (more charts than texels allow).
-/// Cost:   O(charts * texels / 64) for each trial scale.
+/// Cost:   O(charts * texels / 64) for each trial scale; above 640 x 640 texels that of so many squares.
 Atlas pack(FlatCharts const& charts, PackOptions const& options = {});
 
 }  // namespace vitrine

@@ -48,6 +48,12 @@ TEST(Pack, FourSquaresFillTheTexture) {
   EXPECT_GT(atlas.fill, 0.82f);  // 4 x 30 x 30 of 64 x 64 are to be had
 }
 
+TEST(Pack, ALargeAtlasIsPackedByLargerSquares) {
+  Atlas const atlas = pack(squares(4), {.texture = 2048, .gutter = 2});
+  EXPECT_THAT(check(atlas), IsEmpty());
+  EXPECT_GT(atlas.fill, 0.97f);
+}
+
 TEST(Pack, OneScaleForAll) {
   FlatCharts flat = squares(2);
   for (CornerUvs& uvs : {std::ref(flat.corner_uvs[2]), std::ref(flat.corner_uvs[3])})
