@@ -255,8 +255,8 @@ BakedModel bake_maps(Atlas const& atlas, Job& job) {
 
 EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
   ModelOptions const& options = job.study->options();
-  bool const fill = !job.levels->fixed && job.study->recipe().map_quality == 0;
-  std::size_t const most = fill ? std::size_t(1000 * options.fit.max_kb) : io::kAnySize;
+  Recipe const& recipe = job.study->recipe();
+  std::size_t const most = !job.levels->fixed && is_filled(recipe) ? std::size_t(recipe.ceiling) : io::kAnySize;
   EncodedThumbnail thumbnail = io::encode(baked, job.row.title, options.encode, most);
   io::garble("result", job.entry->path, thumbnail.glb);
   ModelRow& row = job.row;

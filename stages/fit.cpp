@@ -18,8 +18,9 @@ constexpr double kFirstKb = 8;      ///< where a search by error begins
 constexpr double kMiss = 0.12;      ///< relative: a trial this far from what was aimed at is asked again
 constexpr double kHopeless = 0.7;   ///< in the cost's logarithm: what is so much worse is not asked again
 constexpr double kMapShare = 0.5;   ///< of the bytes: for a first map
-constexpr int kUsualQuality = 50;   ///< of a map that does not fill the ceiling, to begin with
-constexpr int kLargestTexture = 8192;
+constexpr int kUsualQuality = 50;   ///< of a map that does not fill its ceiling, to begin with
+constexpr int kSmallestFile = 1000; ///< bytes
+constexpr int kSmallestTexture = 16, kLargestTexture = 8192;
 constexpr int kFewest = 40;         ///< triangles
 constexpr int kSteps = 3;           ///< in one direction
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
@@ -51,18 +52,20 @@ std::optional<std::size_t> best_within(Subject const& subject, FitOptions const&
 class Search {
  public:
   Search(Subject const& subject, FitOptions const& options, std::span<Trial const> history)
-      : subject_(subject), options_(options), history_(history) {}
+      : subject_(subject), options_(options), history_(history), usual_(ceiling()) {
+    if (options_.max_error > 0) usual_ = std::min(1000 * kFirstKb, usual_);
+  }
 
   /// Asks the same questions in the same order each time, and answers those that the history answers.
   std::optional<Recipe> next() {
     if (explore() == Answer::none) return asked_;
     if (subject_.fixed_triangles > 0) return {};
-    return is_filled(best()) ? std::nullopt : land();
+    return is_filled(best()) && options_.max_error == 0 ? std::nullopt : land();
   }
 
  private:
   double ceiling() const { return 1000 * options_.max_kb; }
-  double aim() const { return kFill * (options_.max_error > 0 ? std::min(1000 * kFirstKb, ceiling()) : ceiling()); }
+  double aim() const { return kFill * usual_; }
   int most() const { return int(std::min<std::size_t>(subject_.triangles, 1u << 20)); }
 
   enum class Answer { none, worse, better };
@@ -71,7 +74,10 @@ class Search {
   Answer explore() {
     using Question = Answer (Search::*)();
     constexpr std::pair<Choice, Question> questions[] = {{Choice::none, &Search::start},
+                                                         {Choice::none, &Search::choose_size},
                                                          {Choice::none, &Search::choose_painting},
+                                                         {Choice::none, &Search::choose_size},
+                                                         {Choice::none, &Search::choose_size},  // from nearer
                                                          {Choice::colour_edges, &Search::choose_colour_quadrics},
                                                          {Choice::none, &Search::choose_texture},
                                                          {Choice::none, &Search::choose_share},
@@ -89,9 +95,6 @@ class Search {
 
   bool is_left_out(Choice choice) const { return choice != Choice::none && choice == options_.without; }
 
-  /// Such files have the bytes that they may have, and can be compared as they are.
-  bool is_filled(Recipe const& recipe) const { return is_textured(recipe) && recipe.map_quality == 0; }
-
   // ---- Questions: a change to the best recipe so far, where it may pay
 
   Answer start() {
@@ -100,13 +103,14 @@ class Search {
     recipe.position_bits = kFineBits;
     if (affordable(recipe) < most()) recipe.position_bits = aim() < 6500 ? 9 : Recipe{}.position_bits;
     recipe.texture = first_texture();
-    if (options_.max_error > 0 || subject_.fixed_triangles > 0) recipe.map_quality = kUsualQuality;
+    recipe.ceiling = int(usual_);
+    if (subject_.fixed_triangles > 0) recipe.map_quality = kUsualQuality;
     return ask(recipe);
   }
 
   int first_texture() const {
     double const texels = kMapShare * aim() / expected_bytes_per_texel(kUsualQuality);
-    return std::clamp(int(std::sqrt(texels)) / 4 * 4, 16, 1024);
+    return std::clamp(int(std::sqrt(texels)) / 4 * 4, kSmallestTexture, 1024);
   }
 
   Answer choose_painting() {
@@ -136,6 +140,21 @@ class Search {
       recipe = asked_;  // its size of the map
     }
     return Answer::worse;
+  }
+
+  /// About as many bytes as the error needs: what is best for others need not be best for these.
+  Answer choose_size() {
+    if (options_.max_error == 0 || subject_.fixed_triangles > 0) return Answer::worse;
+    double const needed = usual_ * std::pow(history_[best_].error / options_.max_error, 1 / kErrorPower);
+    double const size = std::clamp(needed, std::min(1.0 * kSmallestFile, ceiling()), ceiling());
+    if (std::abs(std::log(size / usual_)) < kMiss) return Answer::worse;
+    usual_ = size;
+    Recipe recipe = of_extent(is_filled(best()) ? int(size) : affordable(best()));
+    recipe.ceiling = int(size);
+    if (is_tried(recipe)) return Answer::worse;
+    Answer const answer = answer_to(recipe);
+    if (answer != Answer::none) best_ = answered_ - 1;
+    return answer;
   }
 
   Answer choose_colour_quadrics() {
@@ -240,7 +259,7 @@ class Search {
     Trial const& first = history_[answered_ - 1];
     if (subject_.fixed_triangles > 0 || is_hopeless(first) || std::abs(std::log(double(first.bytes) / aim())) < kMiss) return answer;
     double const share = double(first.map_bytes) / (kMapShare * aim());
-    if (share > 1 && !is_filled(recipe)) recipe.texture = std::max(16, int(recipe.texture / std::sqrt(share)));
+    if (share > 1 && !is_filled(recipe)) recipe.texture = std::max(kSmallestTexture, int(recipe.texture / std::sqrt(share)));
     recipe.triangles = is_filled(recipe) ? beside(double(first.map_bytes), recipe) : affordable(recipe);
     if (is_tried(recipe)) return answer;
     answer = answer_to(recipe);
@@ -255,6 +274,7 @@ class Search {
     if (subject_.fixed_triangles > 0) return int(subject_.fixed_triangles);
     if (!is_filled(recipe)) return bounded(ByteModel(recipe, history_.first(answered_)).triangles(aim()));
     bool const like_best = answered_ > 0 && best().painting == recipe.painting;
+    if (like_best && is_whole(history_[best_])) return bounded(most());
     return like_best ? bounded(int(best().triangles / relative_size(recipe, best()))) : beside(kMapShare * aim(), recipe);
   }
 
@@ -293,7 +313,7 @@ class Search {
   double cost(Trial const& trial) const {
     if (std::isinf(trial.error)) return trial.error;
     if (subject_.fixed_triangles > 0) return size_cost(trial);
-    if (is_filled(trial.recipe) && double(trial.bytes) <= ceiling()) return std::log(std::max(trial.score, 1e-9));
+    if (is_filled(trial.recipe) && trial.bytes <= std::size_t(trial.recipe.ceiling)) return std::log(std::max(trial.score, 1e-9));
     double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / bytes_per_triangle(trial);
     double const triangles = std::clamp(allowed, 1.0, std::max(1.0, double(most())));
     return std::log(std::max(trial.score, 1e-9)) - kErrorPower * std::log(triangles / trial.recipe.triangles);
@@ -302,16 +322,15 @@ class Search {
   // ---- The end: as many triangles as the limit allows, or as few as it needs
 
   std::optional<Recipe> land() {
-    Landing const limits{ceiling(), options_.max_error, kFewest, most()};
+    bool const by_error = options_.max_error > 0, by_map = is_filled(best());
+    Landing const limits{ceiling(), options_.max_error, by_map ? kSmallestFile : kFewest, by_map ? int(ceiling()) : most()};
     std::vector<Trial> like;
     for (std::size_t i = 0; i < answered_; ++i)
       if (is_like(history_[i])) like.push_back(history_[i]);
     for (int landing = 0; landing < kLandings && !like.empty(); ++landing) {
-      std::optional<int> const triangles = options_.max_error > 0 ? triangles_for_error(like, limits) : triangles_for_bytes(like, limits);
-      if (!triangles) return {};
-      Recipe recipe = best();
-      recipe.triangles = *triangles;
-      asked_ = recipe;
+      std::optional<int> const extent = by_error ? extent_for_error(like, limits) : triangles_for_bytes(like, limits);
+      if (!extent) return {};
+      asked_ = of_extent(*extent);
       if (answered_ == history_.size()) return asked_;
       if (is_like(history_[answered_])) like.push_back(history_[answered_]);
       ++answered_;
@@ -319,12 +338,23 @@ class Search {
     return {};
   }
 
-  /// Whether only the number of triangles tells it from the best one.
-  bool is_like(Trial const& trial) const {
-    Recipe recipe = trial.recipe;
-    recipe.triangles = best().triangles;
-    return recipe == best() && !std::isinf(trial.error);
+  /// The best one, larger or smaller; all triangles stay as long as they leave the map its share.
+  Recipe of_extent(int wanted) const {
+    Recipe recipe = best();
+    if (!is_filled(recipe)) {
+      recipe.triangles = wanted;
+      return recipe;
+    }
+    double const growth = double(wanted) / recipe.ceiling;
+    double const room = (wanted * (1 - kMapShare) - kHeaderBytes) / bytes_per_triangle(history_[best_]);
+    double const triangles = is_whole(history_[best_]) ? room : recipe.triangles * growth;
+    recipe.triangles = bounded(int(std::clamp(triangles, 0.0, double(most()))));
+    recipe.ceiling = wanted;
+    recipe.texture = std::clamp(int(recipe.texture * std::sqrt(growth)), kSmallestTexture, largest_texture(recipe));
+    return recipe;
   }
+
+  bool is_like(Trial const& trial) const { return trial.recipe == of_extent(extent(trial.recipe)) && !std::isinf(trial.error); }
 
   bool is_tried(Recipe const& recipe) const {
     auto const tried = history_.first(answered_);
@@ -334,6 +364,7 @@ class Search {
   Subject subject_;
   FitOptions options_;
   std::span<Trial const> history_;
+  double usual_;  ///< bytes of the files that are compared
   std::size_t answered_ = 0, best_ = 0;
   Recipe asked_;
 };
@@ -346,6 +377,8 @@ std::string text(double value) {
 }  // namespace
 
 bool is_textured(Recipe const& recipe) { return recipe.painting == Painting::map || recipe.painting == Painting::own; }
+
+bool is_filled(Recipe const& recipe) { return is_textured(recipe) && recipe.map_quality == 0; }
 
 Trial failed_trial(Recipe const& recipe) {
   constexpr double worst = std::numeric_limits<double>::infinity();

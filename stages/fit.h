@@ -90,12 +90,15 @@ struct Recipe {
   double smoothing = 0.1;    ///< of colours per vertex, see paint.h
   Unfolding unfolding = Unfolding::conformal;  ///< of the charts
   int texture = 256;         ///< texels of the longer side
-  int map_quality = 0;       ///< of 100; 0: the highest that the ceiling allows
+  int map_quality = 0;       ///< of 100; 0: the highest that `ceiling` allows
+  int ceiling = 0;           ///< of a file with a map, in bytes
   bool avif = false;         ///< the map's coding, else WebP or JPEG
   bool operator==(Recipe const&) const = default;
 };
 
 bool is_textured(Recipe const& recipe);
+/// Such files have the bytes that they may have, and can be compared as they are.
+bool is_filled(Recipe const& recipe);
 
 /// What the search knows of an original.
 struct Subject {

@@ -12,10 +12,14 @@ namespace vitrine {
 /// Measured on scans: near any number of bytes, error falls with their power.
 inline constexpr double kErrorPower = 1.2;
 
+/// Along what a search for an error lands: the bytes that a map fills, with which its area and the triangles grow; else
+/// the triangles.
+inline int extent(Recipe const& recipe) { return is_filled(recipe) ? recipe.ceiling : recipe.triangles; }
+
 struct Landing {
   double ceiling = 0;    ///< bytes
   double max_error = 0;  ///< MSE x 10^4
-  int fewest = 0, most = 0;  ///< triangles
+  int least = 0, most = 0;  ///< triangles, or extents
 };
 
 /// In:     trials, at least one, between which only the number of triangles differs.
@@ -23,7 +27,8 @@ struct Landing {
 ///         the ceiling to 97 %, or where there is nothing in between.
 std::optional<int> triangles_for_bytes(std::span<Trial const> like, Landing const& limits);
 
-/// The same by the power law through the nearest trials; nothing once one is within 4 % of the error.
-std::optional<int> triangles_for_error(std::span<Trial const> like, Landing const& limits);
+/// The same for trials that only their extent tells apart, by the power law through the nearest ones; nothing once one is
+/// within 4 % of the error.
+std::optional<int> extent_for_error(std::span<Trial const> like, Landing const& limits);
 
 }  // namespace vitrine

@@ -20,13 +20,13 @@ struct World {
   double facet_rate = 1.3, vertex_rate = 0.5, map_bits = 0.8;
   std::function<double(Recipe const&)> penalty = [](Recipe const&) { return 1.0; };
 
-  Trial operator()(Recipe const& recipe, double ceiling) const {
+  Trial operator()(Recipe const& recipe) const {
     double map = 0, rate = facet_rate + 0.1 * (recipe.position_bits - 10);
     if (recipe.painting == Painting::vertices) rate += vertex_rate;
     if (is_textured(recipe)) rate += 0.8;
     if (recipe.shading == Shading::smooth) rate += 0.5;
     if (is_textured(recipe)) {
-      double const at_50 = map_bits / 8 * recipe.texture * recipe.texture, room = 0.99 * ceiling - 700 - rate * recipe.triangles;
+      double const at_50 = map_bits / 8 * recipe.texture * recipe.texture, room = 0.99 * recipe.ceiling - 700 - rate * recipe.triangles;
       double const quality = recipe.map_quality > 0 ? recipe.map_quality : std::clamp(50 * room / at_50, 5.0, 95.0);
       map = at_50 * quality / 50;
     }
@@ -38,7 +38,7 @@ struct World {
 std::vector<Trial> search(Subject const& subject, FitOptions const& options, World const& world) {
   std::vector<Trial> history;
   while (std::optional<Recipe> const recipe = next_trial(subject, options, history)) {
-    history.push_back(world(*recipe, 1000 * options.max_kb));
+    history.push_back(world(*recipe));
     if (history.size() > 40) break;
   }
   return history;
@@ -115,6 +115,18 @@ TEST(Fit, FindsTheSmallestFileBelowAnError) {
   Trial const best = winner(kPlain, {.max_kb = 100, .max_error = 0.3}, {});
   EXPECT_LE(best.error, 0.3);
   EXPECT_GE(best.error, 0.28);
+}
+
+TEST(Fit, GrowsTheMapAsAnErrorNeedsWhereTheOriginalHasNoMoreTriangles) {
+  World world;
+  world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 5000.0 / r.ceiling : 4; };
+  Subject const box{1000, true, true};
+  for (double error : {0.2, 0.05}) {
+    Trial const best = winner(box, {.max_kb = 400, .max_error = error}, world);
+    EXPECT_LE(best.error, error);
+    EXPECT_GE(best.error, 0.9 * error);
+    EXPECT_EQ(best.recipe.triangles, 1000);
+  }
 }
 
 TEST(Fit, LeavesTheTrianglesThatADeviationNeeds) {
