@@ -32,8 +32,7 @@ json input_json(ModelRow const& row) {
 json trials_json(std::vector<Trial> const& trials) {
   json out = json::array();
   for (Trial const& trial : trials) {
-    json one = recipe_json(trial.recipe);
-    if (is_textured(trial.recipe)) one["mapQuality"] = trial.map_quality;
+    json one = recipe_json(trial.recipe, trial.map_quality);
     if (std::isinf(trial.error))
       one["failed"] = true;
     else

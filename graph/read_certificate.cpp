@@ -74,15 +74,23 @@ Recipe read_recipe(json const& in) {
   recipe.colour_bits = in.value("colourBits", recipe.colour_bits);
   recipe.smoothing = in.value("smoothing", recipe.smoothing);
   recipe.texture = in.value("texture", recipe.texture);
-  recipe.map_quality = in.value("mapQuality", recipe.map_quality);
+  if (in.contains("unfolding")) recipe.unfolding = named<Unfolding>(in.at("unfolding"));
+  recipe.avif = in.value("avif", recipe.avif);
   return recipe;
 }
 
 void read_search(json const& in, ModelRow& row) {
   row.recipe = read_recipe(in.at("recipe"));
+  row.map_quality = in.at("recipe").value("mapQuality", 0);
   for (json const& one : in.at("trials")) {
     Trial trial = failed_trial(read_recipe(one));
-    if (!one.contains("failed")) trial = {trial.recipe, one.at("bytes"), one.at("mapBytes"), one.at("mse1e4"), one.at("score")};
+    trial.map_quality = one.value("mapQuality", 0);
+    if (!one.contains("failed")) {
+      trial.bytes = one.at("bytes");
+      trial.map_bytes = one.at("mapBytes");
+      trial.error = one.at("mse1e4");
+      trial.score = one.at("score");
+    }
     row.trials.push_back(trial);
   }
 }

@@ -24,8 +24,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stamp, bytes, inode, modified, changed)
 
 namespace vitrine {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recipe, triangles, shading, painting, colour_weight, position_bits, colour_bits,
-                                   smoothing, texture, map_quality)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Trial, recipe, bytes, map_bytes, error, score)
+                                   smoothing, unfolding, texture, map_quality, ceiling, avif)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Trial, recipe, bytes, map_bytes, map_quality, error, score)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BakeStatistics, texels, samples, misses)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repairs, nonfinite_vertices, degenerate_faces, duplicate_faces, repaired_normals,
                                    flipped_faces)
@@ -43,7 +43,7 @@ void from_json(nlohmann::json const& in, BoundingSphere& sphere) { sphere = {{in
 namespace vitrine::graph {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesSizes, codec, sizes)
 using SeriesWritten = ModelRow::SeriesWritten;
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesWritten, frames, rows, bytes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ModelRow, series_written, sphere, thinned_triangles, thinning_mse1e4, waiting, charts, chart_retries, simplify_error, atlas_fill, bake, triangles, vertices,
-                                   bytes, x3d_bytes, recipe, input, slug, title, metadata, status, failure, thumb, poster,
+                                   bytes, x3d_bytes, recipe, map_quality, input, slug, title, metadata, status, failure, thumb, poster,
                                    series_folder, x3d, x3d_zip, certificate, files, input_hash, dependencies, input_bytes,
                                    memory, source_triangles, source_vertices, source_coloured, up, repairs, notes, trials,
                                    measurement, series, verdict, seconds)

@@ -55,7 +55,7 @@ json measure_json(Measurement const& m) {
 
 }  // namespace
 
-json recipe_json(Recipe const& r) {
+json recipe_json(Recipe const& r, int map_quality) {
   json out = {{"triangles", r.triangles},
               {"shading", shown(r.shading)},
               {"painting", shown(r.painting)},
@@ -63,7 +63,7 @@ json recipe_json(Recipe const& r) {
               {"colourWeight", r.colour_weight}};
   if (r.painting == Painting::vertices) out.update({{"colourBits", r.colour_bits}, {"smoothing", r.smoothing}});
   if (r.painting == Painting::map) out.update({{"unfolding", shown(r.unfolding)}});
-  if (is_textured(r)) out.update({{"texture", r.texture}, {"mapQuality", r.map_quality}, {"avif", r.avif}});
+  if (is_textured(r)) out.update({{"texture", r.texture}, {"mapQuality", map_quality}, {"avif", r.avif}});
   return out;
 }
 
@@ -161,7 +161,7 @@ json outcome_json(ModelRow const& row) {
         {"simplifyError", row.simplify_error}}},
       {"bake",
        {{"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}}}};
-  if (row.recipe) out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe)}};
+  if (row.recipe) out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe, row.map_quality)}};
   if (row.x3d_bytes > 0) out["x3dBytes"] = row.x3d_bytes;
   if (row.thinned_triangles > 0) {
     out["thinned"] = {{"triangles", row.thinned_triangles}};

@@ -56,6 +56,7 @@ struct Made {
   } bytes;
   std::size_t x3d_bytes = 0;    ///< of the zip, where the options ask for X3DOM
   std::optional<Recipe> recipe;  ///< what the search chose; none where nothing was searched
+  int map_quality = 0;           ///< that its map was coded with
 };
 
 struct ModelRow : Made {
@@ -102,7 +103,7 @@ nlohmann::ordered_json report_json(std::vector<ModelRow> const& rows, std::strin
                                    nlohmann::ordered_json const& options, double wall_seconds);
 
 nlohmann::ordered_json repairs_json(Repairs const& repairs);
-nlohmann::ordered_json recipe_json(Recipe const& recipe);
+nlohmann::ordered_json recipe_json(Recipe const& recipe, int map_quality);
 
 /// Keys of a finished model that the report and the certificate share: bytes, mesh, bake and, if measured, measure,
 /// series and verdict.

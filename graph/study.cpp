@@ -69,7 +69,7 @@ void Study::add(Made const& made, std::shared_ptr<EncodedThumbnail const> file, 
   made_.push_back({made, std::move(file)});
   if (!searches(options_)) return;
   made_.back().made.recipe = recipe_;
-  made_.back().made.recipe->map_quality = made_.back().file->colour_quality;
+  made_.back().made.map_quality = made_.back().file->colour_quality;
 }
 
 void Study::add_failure(Failure const& failure) {

@@ -38,11 +38,8 @@ graph::ModelOptions small_files() {
 
 /// Of the trial that won.
 double error(graph::ModelRow const& row) {
-  for (Trial const& trial : row.trials) {
-    Recipe recipe = *row.recipe;
-    recipe.map_quality = trial.recipe.map_quality;  // of which the row has what was coded
-    if (trial.bytes == row.bytes.total && trial.recipe == recipe) return trial.error;
-  }
+  for (Trial const& trial : row.trials)
+    if (trial.bytes == row.bytes.total && trial.recipe == *row.recipe) return trial.error;
   return -1;
 }
 
