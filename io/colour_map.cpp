@@ -27,7 +27,7 @@ std::optional<ImageCodec> codec_asked_for(MapCodec codec) {
 namespace {
 
 ImageQuality wanted(EncodeOptions const& options) {
-  ImageCodec const usual = options.profile == Profile::plain ? ImageCodec::jpeg : ImageCodec::webp;
+  ImageCodec const usual = common_maps(options.profile) ? ImageCodec::jpeg : ImageCodec::webp;
   return {codec_asked_for(options.colour_codec).value_or(usual), options.colour_quality};
 }
 

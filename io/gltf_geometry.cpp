@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 namespace vitrine::io {
@@ -17,6 +18,7 @@ static_assert(std::endian::native == std::endian::little, "buffers are written a
 
 // glTF's names for what accessors hold.
 constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
+constexpr char kColours[] = "COLOR_0";
 
 std::size_t index_size(std::size_t vertices) { return vertices <= 65535 ? 2 : 4; }
 
@@ -73,7 +75,7 @@ double position_step(Grid const& grid) { return grid.range / static_cast<float>(
 struct VertexBuffer {
   std::vector<std::byte> bytes;
   std::size_t stride = 8, normal_at = 0, tangent_at = 0, uv_at = 0, colour_at = 0;
-  bool short_normals = false;
+  bool short_normals = false, floats = false;  ///< floats: all but colours
 };
 
 VertexBuffer quantize(VertexMesh const& mesh, Grid const& grid) {
@@ -106,6 +108,30 @@ VertexBuffer quantize(VertexMesh const& mesh, Grid const& grid) {
   return buffer;
 }
 
+/// The same as floats, which need no extension and stand where they are.
+VertexBuffer as_floats(VertexMesh const& mesh) {
+  VertexBuffer buffer;
+  buffer.floats = true;
+  buffer.stride = 12;
+  if (!mesh.normals.empty()) buffer.normal_at = std::exchange(buffer.stride, buffer.stride + 12);
+  if (!mesh.tangents.empty()) buffer.tangent_at = std::exchange(buffer.stride, buffer.stride + 16);
+  if (!mesh.uvs.empty()) buffer.uv_at = std::exchange(buffer.stride, buffer.stride + 8);
+  if (!mesh.colours.empty()) buffer.colour_at = std::exchange(buffer.stride, buffer.stride + 4);
+  buffer.bytes.resize(mesh.positions.size() * buffer.stride);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    std::byte* const vertex = buffer.bytes.data() + i * buffer.stride;
+    auto const copy = [&](std::size_t at, auto const& from) {
+      if (!from.empty()) std::memcpy(vertex + at, &from[i], sizeof from[i]);
+    };
+    copy(0, mesh.positions);
+    copy(buffer.normal_at, mesh.normals);
+    copy(buffer.tangent_at, mesh.tangents);
+    copy(buffer.uv_at, mesh.uvs);
+    for (unsigned k = 0; k < 3 && !mesh.colours.empty(); ++k) put<std::uint8_t>(vertex + buffer.colour_at + k, 255.0 * mesh.colours[i][k]);
+  }
+  return buffer;
+}
+
 std::vector<std::byte> index_buffer(VertexMesh const& mesh) {
   std::size_t const size = index_size(mesh.positions.size());
   std::vector<std::byte> bytes(3 * size * mesh.triangles.size());
@@ -119,15 +145,19 @@ std::vector<std::byte> index_buffer(VertexMesh const& mesh) {
 WrittenGeometry describe(GltfDocument& document, VertexMesh const& mesh, VertexBuffer const& buffer, Grid const& grid) {
   std::size_t const n = mesh.positions.size();
   WrittenGeometry written;
-  written.translation = grid.origin;
-  written.scale = static_cast<float>(position_step(grid));
+  if (!buffer.floats) {
+    written.translation = grid.origin;
+    written.scale = static_cast<float>(position_step(grid));
+    document.use_extension("KHR_mesh_quantization", Need::required);
+  }
   written.vertices = static_cast<std::uint32_t>(n);
   written.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
   auto attribute = [&](char const* name, std::size_t at, int type, bool normalized, char const* shape) {
     Json accessor = {{"bufferView", 0}};
     if (at > 0) accessor["byteOffset"] = at;
-    accessor["componentType"] = type;
-    if (normalized) accessor["normalized"] = true;
+    bool const floats = buffer.floats && std::string_view(name) != kColours;
+    accessor["componentType"] = floats ? kFloat : type;
+    if (normalized && !floats) accessor["normalized"] = true;
     accessor["count"] = n;
     accessor["type"] = shape;
     written.primitive["attributes"][name] = add(document.json, "accessors", std::move(accessor));
@@ -135,21 +165,30 @@ WrittenGeometry describe(GltfDocument& document, VertexMesh const& mesh, VertexB
   attribute("POSITION", 0, kUnsignedShort, false, "VEC3");
   Box3f box;
   for (V3f const& p : mesh.positions) box.extendBy(p);
-  auto steps = [&](V3f const& p, unsigned k) {
+  auto const stored = [&](V3f const& p, unsigned k) -> Json {
+    if (buffer.floats) return number(p[k]);
     return std::lround((double(p[k]) - grid.origin[k]) / position_step(grid));
   };
   for (unsigned k = 0; k < 3; ++k) {
-    document.json["accessors"][0]["min"].push_back(steps(box.min, k));
-    document.json["accessors"][0]["max"].push_back(steps(box.max, k));
+    document.json["accessors"][0]["min"].push_back(stored(box.min, k));
+    document.json["accessors"][0]["max"].push_back(stored(box.max, k));
   }
   if (buffer.normal_at > 0) attribute("NORMAL", buffer.normal_at, buffer.short_normals ? kShort : kByte, true, "VEC3");
   if (buffer.tangent_at > 0) attribute("TANGENT", buffer.tangent_at, kByte, true, "VEC4");
   if (buffer.uv_at > 0) attribute("TEXCOORD_0", buffer.uv_at, kUnsignedShort, true, "VEC2");
-  if (buffer.colour_at > 0) attribute("COLOR_0", buffer.colour_at, kUnsignedByte, true, "VEC3");
+  if (buffer.colour_at > 0) attribute(kColours, buffer.colour_at, kUnsignedByte, true, "VEC3");
   Json indices = {{"bufferView", 1}};
   indices.update(index_accessor(n, mesh.triangles.size()));
   written.primitive["indices"] = add(document.json, "accessors", std::move(indices));
-  document.use_extension("KHR_mesh_quantization", Need::required);
+  return written;
+}
+
+WrittenGeometry write_views(GltfDocument& document, VertexMesh const& mesh, VertexBuffer const& vertices, Grid const& grid) {
+  std::vector<std::byte> const indices = index_buffer(mesh);
+  document.add_view(vertices.bytes, {{"byteStride", vertices.stride}});
+  document.add_view(indices);
+  WrittenGeometry written = describe(document, mesh, vertices, grid);
+  written.bytes = vertices.bytes.size() + indices.size();
   return written;
 }
 
@@ -200,13 +239,12 @@ WrittenGeometry write_draco(GltfDocument& document, VertexMesh const& mesh, Grid
 
 WrittenGeometry write_buffers(GltfDocument& document, VertexMesh const& unordered, Grid const& grid) {
   VertexMesh const mesh = in_cache_order(unordered);
-  VertexBuffer const vertices = quantize(mesh, grid);
-  std::vector<std::byte> const indices = index_buffer(mesh);
-  document.add_view(vertices.bytes, {{"byteStride", vertices.stride}});
-  document.add_view(indices);
-  WrittenGeometry written = describe(document, mesh, vertices, grid);
-  written.bytes = vertices.bytes.size() + indices.size();
-  return written;
+  return write_views(document, mesh, quantize(mesh, grid), grid);
+}
+
+WrittenGeometry write_floats(GltfDocument& document, VertexMesh const& unordered) {
+  VertexMesh const mesh = in_cache_order(unordered);
+  return write_views(document, mesh, as_floats(mesh), {});
 }
 
 WrittenGeometry write_meshopt(GltfDocument& document, VertexMesh const& unordered, Grid const& grid) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// A mesh as geometry of a glTF document, in the three forms that the profiles deliver.
+/// A mesh as geometry of a glTF document, in the forms that the profiles deliver.
 
 #include "io/gltf_document.h"
 #include "io/mesh_codec.h"
@@ -25,7 +25,10 @@ WrittenGeometry write_draco(GltfDocument& document, VertexMesh const& mesh, Grid
 /// (16-bit where the grid has more than 8 bits), tangents and colours; in cache order, which servers' gzip likes too.
 WrittenGeometry write_buffers(GltfDocument& document, VertexMesh const& mesh, Grid const& grid);
 
-/// The same vertices and indices by EXT_meshopt_compression, without a fallback for clients that lack it.
+/// Without any extension: positions, normals, tangents and uvs as floats, colours as bytes.
+WrittenGeometry write_floats(GltfDocument& document, VertexMesh const& mesh);
+
+/// The same vertices and indices as write_buffers by EXT_meshopt_compression, without a fallback for clients that lack it.
 WrittenGeometry write_meshopt(GltfDocument& document, VertexMesh const& mesh, Grid const& grid);
 
 }  // namespace vitrine::io

@@ -23,6 +23,8 @@ WrittenGeometry write_geometry(GltfDocument& document, VertexMesh const& mesh, G
       return write_buffers(document, mesh, grid);
     case Profile::meshopt:
       return write_meshopt(document, mesh, grid);
+    case Profile::core:
+      return write_floats(document, mesh);
     default:
       return write_draco(document, mesh, grid);
   }
@@ -149,7 +151,7 @@ std::size_t bytes_beside_colour(EncodedThumbnail const& without) {
 }  // namespace
 
 EncodedImage encode_normal(Image const& map, EncodeOptions const& options) {
-  ImageCodec const usual = options.profile == Profile::plain ? ImageCodec::png : ImageCodec::webp;
+  ImageCodec const usual = common_maps(options.profile) ? ImageCodec::png : ImageCodec::webp;
   if (std::optional<ImageCodec> const codec = codec_asked_for(options.normal_codec))
     return encode_image(map, {*codec, options.normal_quality, true});
   return encode_map(map, {usual, options.normal_quality});

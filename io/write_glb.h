@@ -15,12 +15,16 @@ namespace vitrine {
 enum class Profile {
   web,     ///< Draco geometry, WebP maps (JPEG where halved chroma would show)
   plain,   ///< no decoder needed: quantised buffers, JPEG colour, PNG normals
-  meshopt  ///< EXT_meshopt_compression geometry, maps as for web
+  meshopt,  ///< EXT_meshopt_compression geometry, maps as for web
+  core      ///< glTF 2.0 alone: geometry as floats, maps as for plain; for importers that know no extensions
 };
 template <>
 struct EnumNames<Profile> {
-  static constexpr std::array<std::string_view, 3> names{"web", "plain", "meshopt"};
+  static constexpr std::array<std::string_view, 4> names{"web", "plain", "meshopt", "core"};
 };
+
+/// Whether maps are JPEG and PNG alone.
+constexpr bool common_maps(Profile profile) { return profile == Profile::plain || profile == Profile::core; }
 
 /// How a map is stored. A map with alpha is never JPEG: PNG takes its place.
 enum class MapCodec {

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::json;
 using Bytes = std::vector<std::byte>;
 
-constexpr Profile kProfiles[] = {Profile::web, Profile::plain, Profile::meshopt};
+constexpr Profile kProfiles[] = {Profile::web, Profile::plain, Profile::meshopt, Profile::core};
 
 struct Glb {
   Json json;
@@ -216,6 +216,12 @@ TEST(WriteGlb, SaysWhatAClientMustKnow) {
               UnorderedElementsAre("EXT_meshopt_compression", "KHR_mesh_quantization", "EXT_texture_webp"));
 }
 
+TEST(WriteGlb, CoreNeedsNoExtension) {
+  Json const json = json_of(with_all_maps(), {Profile::core});
+  EXPECT_FALSE(json.contains("extensionsUsed"));
+  EXPECT_FALSE(json["nodes"][0].contains("scale"));
+}
+
 TEST(WriteGlb, DracoDecodesToTheGridAndLiesInTheStatedBounds) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -344,7 +350,7 @@ TEST(WriteGlb, ChartTangentsBecomeUnitVectorsOfFour) {
     Json const& attributes = json["meshes"][0]["primitives"][0]["attributes"];
     Json const& accessor = json["accessors"][attributes["TANGENT"].get<std::size_t>()];
     EXPECT_EQ(accessor["type"], "VEC4");
-    EXPECT_EQ(accessor["componentType"], profile == Profile::web ? 5126 : 5120);
+    EXPECT_EQ(accessor["componentType"], profile == Profile::web || profile == Profile::core ? 5126 : 5120);
     model.normal.reset();
     model.chart_tangents.clear();
     EXPECT_FALSE(json_of(model, {profile})["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));

@@ -197,7 +197,7 @@ int main(int count, char** arguments) {
     for (bool flat : {false, true}) fixtures.push_back(tilted(chart, flat));
   Json expected = Json::array();
   for (Fixture const& fixture : fixtures)
-    for (Profile profile : {Profile::web, Profile::plain, Profile::meshopt}) {
+    for (Profile profile : {Profile::web, Profile::plain, Profile::meshopt, Profile::core}) {
       std::string const file =
           fixture.name + "." + std::string(EnumNames<Profile>::names[static_cast<std::size_t>(profile)]) + ".glb";
       io::publish_file(folder / file, io::encode(fixture.model, fixture.name, {.profile = profile, .colour_quality = 90, .normal_quality = 90}).glb);
