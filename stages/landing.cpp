@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double kAim = 0.99, kFull = 0.97;  ///< of the ceiling
+constexpr double kAim = 0.99, kFull = 0.97;       ///< of the ceiling
 constexpr double kAimError = 0.98, kNear = 0.96;  ///< of the error
 
 constexpr double kLeastPower = 0.3;  ///< with which error is taken to fall: no step is larger than it would need

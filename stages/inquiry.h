@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// What the search for the best file has asked and heard: recipes, and the trials that answer them. Internal to fit.
+
+#include "stages/fit.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace vitrine {
+
+inline constexpr double kMapShare = 0.5;  ///< of the bytes: for a first map
+inline constexpr int kSmallestTexture = 16;
+inline constexpr int kSteps = 3;  ///< in one direction
+
+/// Questions are asked in the same order each time; the trials so far answer the first of them.
+class Inquiry {
+ public:
+  enum class Answer { none, worse, better };
+  using Change = void (*)(Recipe&);
+
+  Inquiry(Subject const& subject, FitOptions const& options, std::span<Trial const> history);
+
+  Recipe const& asked() const { return asked_; }  ///< last
+  Recipe const& best() const { return history_[best_].recipe; }
+  Trial const& best_trial() const { return history_[best_]; }
+  double aim() const;                       ///< bytes: what explorations aim for
+  int size() const { return int(usual_); }  ///< bytes of the files that are compared
+  int most() const;                         ///< triangles
+
+  /// The recipe with as many triangles as the bytes allow; once more where it misses them by far, as then two recipes
+  /// cannot be compared.
+  Answer ask(Recipe recipe);
+  /// The best recipe so far, changed.
+  Answer ask_with(Change change);
+  /// Another split between triangles and map.
+  Answer ask_as_it_is(Recipe recipe);
+  /// What the history says; the better of both recipes is the best one from here on.
+  Answer answer_to(Recipe recipe);
+  /// One way as long as that pays, else the other way.
+  Answer walk(Answer (Inquiry::*question)(Recipe), Change one, Change other, int steps = kSteps);
+  /// From here on files of about as many bytes as the error needs are compared.
+  Answer resize();
+
+  /// At the end: as many triangles as the limit allows, or as few as it needs. Nothing when that is found.
+  std::optional<Recipe> land();
+
+  int affordable(Recipe const& recipe) const;  ///< triangles
+  bool is_whole(Trial const& trial) const { return trial.recipe.triangles >= most(); }
+  /// So much worse than the best one that it is not asked again.
+  bool is_hopeless(Trial const& trial) const;
+  bool last_was_hopeless() const { return is_hopeless(history_[answered_ - 1]); }
+
+ private:
+  double ceiling() const { return 1000 * options_.max_kb; }
+  int largest_texture(Recipe const& recipe) const;
+  int beside(double map_bytes, Recipe const& recipe) const;
+  int bounded(int triangles) const;
+  double cost(Trial const& trial) const;
+  Recipe of_extent(int wanted) const;
+  bool is_like(Trial const& trial) const;
+  bool is_tried(Recipe const& recipe) const;
+
+  Subject subject_;
+  FitOptions options_;
+  std::span<Trial const> history_;
+  double usual_;  ///< see size()
+  std::size_t answered_ = 0, best_ = 0;
+  Recipe asked_;
+};
+
+/// Where the number of triangles is fixed, bytes are saved as long as that shows little.
+double size_cost(Trial const& trial);
+
+}  // namespace vitrine
