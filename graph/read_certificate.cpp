@@ -51,6 +51,8 @@ void read_made(json const& in, ModelRow& row) {
   row.bake.texels = bake.at("texels");
   row.bake.samples = bake.at("samples");
   row.bake.misses = std::uint64_t(std::llround(bake.at("missRate").get<double>() * double(row.bake.samples)));
+  if (auto const angle = bake.find("normalAngle"); angle != bake.end())
+    row.normal_angle = {angle->at("p50"), angle->at("p99")};
   row.x3d_bytes = in.value("x3dBytes", std::size_t{0});
   if (auto const thinned = in.find("thinned"); thinned != in.end()) {
     row.thinned_triangles = thinned->at("triangles");

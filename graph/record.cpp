@@ -27,6 +27,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recipe, triangles, shading, painting, colour_
                                    smoothing, unfolding, texture, map_quality, ceiling, avif)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Trial, recipe, bytes, map_bytes, map_quality, error, score)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BakeStatistics, texels, samples, misses)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AngleError, p50, p99)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Repairs, nonfinite_vertices, degenerate_faces, duplicate_faces, repaired_normals,
                                    flipped_faces)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Difference, mse1e4, foreground_mse1e4, psnr, ssim, foreground_ssim, iou)
@@ -56,7 +57,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesSizes, codec, sizes)
 using SeriesWritten = ModelRow::SeriesWritten;
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesWritten, frames, rows, bytes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ModelRow, series_written, sphere, thinned_triangles, thinning_mse1e4, waiting, charts, chart_retries, simplify_error, atlas_fill, bake, triangles, vertices,
-                                   bytes, x3d_bytes, recipe, map_quality, input, slug, title, metadata, status, failure, thumb, poster,
+                                   bytes, x3d_bytes, recipe, map_quality, normal_angle, input, slug, title, metadata, status, failure, thumb, poster,
                                    series_folder, x3d, x3d_zip, certificate, files, input_hash, dependencies, input_bytes,
                                    memory, source_triangles, source_vertices, source_coloured, up, repairs, notes, trials,
                                    measurement, series, verdict, seconds)

@@ -161,6 +161,7 @@ json outcome_json(ModelRow const& row) {
         {"simplifyError", row.simplify_error}}},
       {"bake",
        {{"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}}}};
+  if (auto const& angle = row.normal_angle) out["bake"]["normalAngle"] = {{"p50", angle->p50}, {"p99", angle->p99}};
   if (row.recipe) out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe, row.map_quality)}};
   if (row.x3d_bytes > 0) out["x3dBytes"] = row.x3d_bytes;
   if (row.thinned_triangles > 0) {

@@ -57,6 +57,7 @@ struct Made {
   std::size_t x3d_bytes = 0;    ///< of the zip, where the options ask for X3DOM
   std::optional<Recipe> recipe;  ///< what the search chose; none where nothing was searched
   int map_quality = 0;           ///< that its map was coded with
+  std::optional<AngleError> normal_angle;  ///< of its normal map, where there is one
 };
 
 struct ModelRow : Made {

@@ -265,6 +265,7 @@ EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
   row.bytes = {thumbnail.glb.size(), thumbnail.geometry,  thumbnail.colour,
                thumbnail.normal,     thumbnail.occlusion, thumbnail.other};
   row.x3d_bytes = thumbnail.x3d_zip.size();
+  row.normal_angle = thumbnail.normal_angle;
   return thumbnail;
 }
 

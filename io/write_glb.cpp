@@ -6,6 +6,7 @@
 #include "io/map_codec.h"
 #include "io/write_x3d.h"
 #include "io/zip.h"
+#include "stages/angle_error.h"
 #include "stages/error.h"
 
 #include <algorithm>
@@ -96,8 +97,11 @@ Json write_material(GltfDocument& document, BakedModel const& model, EncodedImag
     pbr["baseColorTexture"] = model.palette ? write_palette(document, *model.colour, sizes.colour)
                                             : write_colour_map(document, model, colour, sizes.colour);
   Json material = {{"pbrMetallicRoughness", std::move(pbr)}};
-  if (model.normal)
-    material["normalTexture"] = write_map(document, encode_normal(*model.normal, options), sizes.normal);
+  if (model.normal) {
+    EncodedImage const normal = encode_normal(*model.normal, options);
+    sizes.normal_angle = angle_error(*model.normal, decode_image(normal.bytes, ColourSpace::linear));
+    material["normalTexture"] = write_map(document, normal, sizes.normal);
+  }
   if (model.occlusion)
     material["occlusionTexture"] = write_map(document, code_colour(*model.occlusion, options).image, sizes.occlusion);
   if (model.alpha == AlphaMode::blend) material["alphaMode"] = "BLEND";

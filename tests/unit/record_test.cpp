@@ -30,6 +30,7 @@ ModelRow finished() {
   row.charts = 7, row.triangles = 1230, row.vertices = 700, row.atlas_fill = 0.75f;
   row.bytes = {15'900, 6000, 9000, 0, 0, 900};
   row.recipe = recipe(), row.map_quality = 46;
+  row.normal_angle = AngleError{1.5f, 7.25f};
   row.trials = {{recipe(), 15'900, 9000, 46, 0.25, 0.01}, failed_trial(recipe())};
   row.series_written = ModelRow::SeriesWritten{32, 1, 200'000};
   row.sphere = BoundingSphere{V3d(1, 2, 3), 2};
