@@ -5,6 +5,7 @@
 #include "graph/series_sizes.h"
 #include "io/archive.h"
 #include "io/dependencies.h"
+#include "stages/angle_error.h"
 #include "stages/clean.h"
 #include "stages/compare.h"
 #include "stages/data.h"

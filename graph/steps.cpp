@@ -5,6 +5,7 @@
 #include "graph/model_folder.h"
 #include "io/fault.h"
 #include "io/image_codec.h"
+#include "stages/angle_error.h"
 #include "stages/clean.h"
 #include "stages/cluster.h"
 #include "stages/detail.h"
@@ -265,7 +266,7 @@ EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
   row.bytes = {thumbnail.glb.size(), thumbnail.geometry,  thumbnail.colour,
                thumbnail.normal,     thumbnail.occlusion, thumbnail.other};
   row.x3d_bytes = thumbnail.x3d_zip.size();
-  row.normal_angle = thumbnail.normal_angle;
+  if (thumbnail.normal_map) row.normal_angle = angle_error(*baked.normal, *thumbnail.normal_map);
   return thumbnail;
 }
 

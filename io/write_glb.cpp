@@ -6,7 +6,6 @@
 #include "io/map_codec.h"
 #include "io/write_x3d.h"
 #include "io/zip.h"
-#include "stages/angle_error.h"
 #include "stages/error.h"
 
 #include <algorithm>
@@ -99,7 +98,7 @@ Json write_material(GltfDocument& document, BakedModel const& model, EncodedImag
   Json material = {{"pbrMetallicRoughness", std::move(pbr)}};
   if (model.normal) {
     EncodedImage const normal = encode_normal(*model.normal, options);
-    sizes.normal_angle = angle_error(*model.normal, decode_image(normal.bytes, ColourSpace::linear));
+    sizes.normal_map = decode_image(normal.bytes, ColourSpace::linear);
     material["normalTexture"] = write_map(document, normal, sizes.normal);
   }
   if (model.occlusion)

@@ -185,11 +185,6 @@ struct NamedFile {
 };
 
 /// A finished file and what its bytes are spent on. The parts add up to glb.size().
-/// Degrees: of half the texels no more, and of 99 in 100.
-struct AngleError {
-  float p50 = 0, p99 = 0;
-};
-
 struct EncodedThumbnail {
   std::vector<std::byte> glb;
   std::vector<NamedFile> x3d;      ///< the same for X3DOM, a page and what it needs; where that was asked for
@@ -197,7 +192,7 @@ struct EncodedThumbnail {
   std::size_t geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
   std::uint32_t triangles = 0, vertices = 0;  ///< as drawn: vertices split at seams
   int colour_quality = 0;  ///< of 100, that the colour map was coded with; 0 without one
-  std::optional<AngleError> normal_angle;  ///< between the normal map as baked and as coded
+  std::optional<Image> normal_map;  ///< as clients decode it
 };
 
 /// Each check lists what is violated, in words; an empty list means valid. Tests and debug builds use them.
