@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
@@ -62,7 +63,6 @@ void Chronicle::converting() {
 void Chronicle::left(Record const& record) {
   ModelRow const& row = record.row;
   bool const failed = row.status != "done";
-  failed_ += failed;
   stages_.erase(row.slug);
   if (progress_) progress_->finished(cost(*night_.entry(row.slug)), failed);
   if (!log_.is_open()) return;
@@ -82,6 +82,8 @@ void Chronicle::end(std::string const& state) {
 }
 
 json Chronicle::status(std::string const& state) const {
+  auto const& records = night_.records();
+  auto const failed = std::count_if(records.begin(), records.end(), [](auto const& known) { return known.second.row.status != "done"; });
   json under_way = json::array();
   for (auto const& [slug, stage] : stages_)
     if (io::ArchiveEntry const* const entry = night_.entry(slug)) under_way.push_back({{"model", entry->path}, {"stage", stage}});
@@ -93,9 +95,9 @@ json Chronicle::status(std::string const& state) const {
           {"updated", utc(1000 * std::int64_t(std::time(nullptr)))},
           {"seconds", elapsed.count()},
           {"models", night_.archive().entries.size()},
-          {"settled", night_.records().size()},
+          {"settled", records.size()},
           {"converted", night_.converted().size()},
-          {"failed", failed_},
+          {"failed", failed},
           {"underWay", under_way}};
 }
 

@@ -43,7 +43,6 @@ class Chronicle {
   bool live_;
   std::optional<Progress> progress_;
   std::map<std::string, std::string> stages_;  ///< of the models under way, by slug
-  std::size_t failed_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), written_{};
 };
 

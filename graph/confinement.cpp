@@ -63,7 +63,8 @@ class Ruleset {
 
 bool confine_files(fs::path const& archive, fs::path const& gallery, fs::path const& more) {
   Ruleset rules;
-  for (char const* system : {"/usr", "/lib", "/lib64", "/etc", "/proc", "/sys", "/dev"}) rules.allow(system, kRead);
+  for (char const* system : {"/usr", "/lib", "/lib64", "/etc", "/proc", "/sys"}) rules.allow(system, kRead);
+  for (char const* device : {"/dev/null", "/dev/zero", "/dev/random", "/dev/urandom"}) rules.allow(device, LANDLOCK_ACCESS_FS_READ_FILE);
   std::error_code error;
   rules.allow(fs::read_symlink("/proc/self/exe", error), LANDLOCK_ACCESS_FS_READ_FILE);
   rules.allow(archive, kRead);

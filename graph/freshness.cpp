@@ -74,6 +74,8 @@ std::optional<Record> record_of_certificate(fs::path const& gallery, std::string
   return record_from_certificate(std::string(io::text(io::map_file(gallery / "models" / slug / "certificate.json"))), slug);
 } catch (Error const&) {
   return std::nullopt;
+} catch (fs::filesystem_error const&) {
+  return std::nullopt;
 }
 
 std::vector<std::string> damage(ModelRow const& row, fs::path const& gallery, bool contents) {

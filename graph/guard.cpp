@@ -11,6 +11,7 @@
 #include "graph/wire.h"
 #include "graph/worker.h"
 #include "io/fault.h"
+#include "io/publish.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,8 +42,9 @@ struct Step {
   Clock::time_point since;
 };
 
-/// A model that is quarantined.
+/// A model that took its worker down.
 struct Conviction {
+  std::string status;
   Failure failure;
   std::string evidence;
 };
@@ -103,7 +105,7 @@ class Guard {
     if (event == "end") {
       through_ = true;
     } else if (event == "error") {
-      end(Ending::refused, said.value("what", "") + "; " + said.value("remedy", ""));
+      end(said.value("machine", false) ? Ending::machine : Ending::refused, said.value("what", "") + "; " + said.value("remedy", ""));
     } else if (event == "confined") {
       report_.confinement = said.value("level", "");
       report_.missing = said.value("missing", "");
@@ -121,7 +123,8 @@ class Guard {
     if (record.row.status != "done" && failure.cause == Cause::disk) return stop(Ending::disk, failure.reason);
     if (record.row.status != "done" && failure.cause == Cause::memory && failure.stage != "admit" && !alone_)
       return suspects_.suspect(record.row.slug);  // others may have taken it
-    if (failure.cause == Cause::machine && ++unwritable_ >= kUnwritable) stop(Ending::machine, failure.reason);
+    if (failure.cause == Cause::machine && failure.stage == "publish" && ++unwritable_ >= kUnwritable)
+      stop(Ending::machine, failure.reason);
     settle(record);
   }
 
@@ -137,8 +140,7 @@ class Guard {
     try {
       entry();
     } catch (fs::filesystem_error const& error) {
-      bool const full = error.code() == std::errc::no_space_on_device;
-      stop(full ? Ending::disk : Ending::machine, error.what());
+      stop(io::is_full(error.code()) ? Ending::disk : Ending::machine, error.what());
     }
   }
 
@@ -286,21 +288,30 @@ class Guard {
     }
     bool const stranger = !condemned_ && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
     std::optional<std::string> const culprit = suspects_.died(victims, stranger);
-    if (culprit) return quarantine(*culprit, how);
+    if (culprit) return !condemned_ && WIFSIGNALED(status) && WTERMSIG(status) == SIGBUS ? unreadable(*culprit) : quarantine(*culprit, how);
     listener_.say("the worker died (" + how + ") with " + std::to_string(victims.size()) + " models under way; trying them one at a time");
   }
 
   void quarantine(std::string const& slug, std::string const& how) {
-    Conviction& found = convicts_[slug];
-    found.failure = {in_flight_[slug].stage, how, condemned_ ? condemned_->remedy : "please report this model as a bug"};
-    found.failure.remedy += "; vitrine retry --quarantined tries it again";
+    std::string const remedy = condemned_ ? condemned_->remedy : "please report this model as a bug";
+    convict(slug, "quarantined", {in_flight_[slug].stage, how, remedy + "; vitrine retry --quarantined tries it again"});
+  }
+
+  /// Files are mapped: where one cannot be read, whoever looks at it gets SIGBUS.
+  void unreadable(std::string const& slug) {
+    convict(slug, "failed", {in_flight_[slug].stage, "a file of it could not be read to its end: its disk failed, or it was cut off meanwhile",
+                             "check the archive's disk; the next run tries it again", Cause::machine});
+  }
+
+  void convict(std::string const& slug, std::string const& status, Failure const& failure) {
+    Conviction& found = convicts_[slug] = {status, failure, {}};
     for (std::string const& line : lines_) found.evidence += line + "\n";
     if (io::ArchiveEntry const* const entry = night_.entry(slug)) enter(*entry, found);
   }
 
   void enter(io::ArchiveEntry const& entry, Conviction const& found) {
     Record record{arriving(entry, options_.model.cluster), settings_hash(options_.model, title_of(entry), entry.up), {}, 0, found.evidence};
-    record.row.status = "quarantined";
+    record.row.status = found.status;
     record.row.failure = found.failure;
     record.row.input_hash = io::file_hash(entry.file);
     settle(record);

@@ -5,6 +5,7 @@
 
 #include "graph/message.h"
 #include "io/fault.h"
+#include "io/publish.h"
 #include "stages/error.h"
 
 #include <oneapi/tbb/task_arena.h>
@@ -22,10 +23,11 @@
 
 namespace vitrine::graph {
 
-/// A full disk is never the model's fault, nor is a gallery that cannot be written.
+/// A full disk is never the model's fault, nor is a disk that fails or a gallery that cannot be written.
 inline Cause cause_of(std::filesystem::filesystem_error const& error, std::string_view stage) {
-  if (error.code() == std::errc::no_space_on_device || error.code().value() == EDQUOT) return Cause::disk;
-  return stage == "publish" ? Cause::machine : Cause::model;
+  if (io::is_full(error.code())) return Cause::disk;
+  bool const failing = error.code() == std::errc::io_error || error.code().value() == ESTALE;
+  return failing || stage == "publish" ? Cause::machine : Cause::model;
 }
 
 /// What the exception in flight says, as a failure of this stage. Call inside a catch block.

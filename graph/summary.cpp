@@ -4,8 +4,10 @@
 #include "graph/chronicle.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <numeric>
+#include <string_view>
 
 namespace vitrine::graph {
 namespace {
@@ -14,6 +16,7 @@ using json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kSlowest = 10;
+constexpr std::string_view kNumber = "…";
 
 double seconds_of(ModelRow const& row) {
   return std::accumulate(row.seconds.begin(), row.seconds.end(), 0.0, [](double s, auto const& t) { return s + t.second; });
@@ -42,6 +45,20 @@ void count_repairs(Repairs const& repairs, std::map<std::string, std::uint64_t>&
     if (std::uint64_t const n = count; n > 0) sums[kind] += n;
 }
 
+/// Without its numbers: what ended many models is one reason, wherever in each of them it was.
+std::string kind_of(std::string const& reason) {
+  std::string kind;
+  for (std::size_t i = 0; i < reason.size(); ++i) {
+    bool const digit = reason[i] >= '0' && reason[i] <= '9';
+    bool const inside = i > 0 && std::isalnum(static_cast<unsigned char>(reason[i - 1]));  // "glTF2" stays, and the rest of a number goes
+    if (!digit || (inside && !kind.ends_with(kNumber)))
+      kind += reason[i];
+    else if (!kind.ends_with(kNumber))
+      kind += kNumber;
+  }
+  return kind;
+}
+
 }  // namespace
 
 Summary summarise(Night const& night, GuardReport const& guard, double seconds, fs::path const& gallery) {
@@ -63,7 +80,7 @@ Summary summarise(Night const& night, GuardReport const& guard, double seconds, 
     if (now) times[row.input] = seconds_of(row);
     count_repairs(row.repairs, repairs);
     if (row.status != "failed" && row.status != "quarantined") continue;
-    ++reasons[row.failure.stage + ": " + row.failure.reason];
+    ++reasons[row.failure.stage + ": " + kind_of(row.failure.reason)];
     bool const is_new = night.records().at(row.slug).since >= night.started();
     summary.problems.push_back({row.input, row.status, row.failure.stage, row.failure.reason, row.failure.remedy, is_new});
   }

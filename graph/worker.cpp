@@ -109,6 +109,8 @@ int run_worker(Work work) {
     report({{"event", "end"}});
   } catch (Error const& error) {
     report({{"event", "error"}, {"what", error.what()}, {"remedy", error.remedy()}});
+  } catch (fs::filesystem_error const& error) {
+    report({{"event", "error"}, {"what", error.what()}, {"remedy", "check its disk"}, {"machine", true}});
   }
   ::_exit(0);
 }

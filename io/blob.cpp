@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/blob.h"
 
+#include "io/fault.h"
 #include "io/text_scanner.h"
 #include "stages/error.h"
 
@@ -25,7 +26,12 @@ Error unreadable(fs::path const& path, std::string const& why) {
                "check that it is a regular file that you may read");
 }
 
-std::string last_reason() { return std::generic_category().message(errno); }
+/// What the system says lies in the file, or in the disk that holds it.
+[[noreturn]] void refuse(fs::path const& path, int reason) {
+  std::error_code const code(reason, std::generic_category());
+  if (reason == EIO || reason == ESTALE) throw fs::filesystem_error("cannot read", path, code);
+  throw unreadable(path, code.message());
+}
 
 Error leads_out(std::string_view reference, std::string const& how) {
   return Error(ErrorKind::invalid_input, "the model names " + shown(reference) + ", which " + how,
@@ -126,15 +132,16 @@ std::string_view text(Blob const& blob) {
 }
 
 Blob map_file(fs::path const& path) {
+  if (int const error = injected_error("open")) refuse(path, error);
   File const file(path);
-  if (file.descriptor < 0) throw unreadable(path, last_reason());
+  if (file.descriptor < 0) refuse(path, errno);
   struct stat status {};
-  if (::fstat(file.descriptor, &status) != 0) throw unreadable(path, last_reason());
+  if (::fstat(file.descriptor, &status) != 0) refuse(path, errno);
   if (!S_ISREG(status.st_mode)) throw unreadable(path, "it is no regular file");
   auto const size = static_cast<std::size_t>(status.st_size);
   if (size == 0) return {};
   void* const start = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor, 0);
-  if (start == MAP_FAILED) throw unreadable(path, last_reason());
+  if (start == MAP_FAILED) refuse(path, errno);
   ::madvise(start, size, MADV_SEQUENTIAL);
   std::shared_ptr<void const> owner(start, [size](void const* p) { ::munmap(const_cast<void*>(p), size); });
   return {{static_cast<std::byte const*>(start), size}, std::move(owner)};

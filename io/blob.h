@@ -24,7 +24,8 @@ Blob own(std::vector<std::byte> bytes);
 std::string_view text(Blob const& blob);
 
 /// A memory map of the file, to be read once from front to back.
-/// Errors: InvalidInput when it cannot be opened or is no regular file. Empty files give an empty blob.
+/// Errors: InvalidInput when it cannot be opened or is no regular file; std::filesystem::filesystem_error when its disk fails
+/// (if that happens later, whoever reads the map gets SIGBUS). Empty files give an empty blob.
 Blob map_file(std::filesystem::path const& path);
 
 /// Finds what a model names (mtllib, map_*, uri). Nothing when there is no such file.

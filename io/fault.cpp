@@ -116,6 +116,7 @@ void act(std::string const& action) {
   using namespace std::chrono_literals;
   if (action == "kill") ::raise(SIGKILL);
   if (action == "segv") ::raise(SIGSEGV);
+  if (action == "bus") ::raise(SIGBUS);
   if (action == "abort") std::abort();
   if (action == "overflow") sink = overflow(0);
   if (action == "loop")

@@ -5,7 +5,7 @@
 ///
 /// The variable VITRINE_FAULT lists ACTION@POINT[/OF][#N] with ';' between them: at the N-th (1) time that a process comes to
 /// POINT, on behalf of OF (a model's path; none: any), it does
-///     kill segv abort overflow loop sleep fork alloc leak exit close throw   as their names say
+///     kill segv bus abort overflow loop sleep fork alloc leak exit close throw   as their names say
 ///     garble                                                                  hands on noise in place of a result
 ///     enospc eio                                                              fails the system call there
 /// With VITRINE_FAULT_ONCE=FOLDER each does so once, in whichever process comes first.

@@ -97,6 +97,8 @@ void publish_file(fs::path const& path, std::span<std::byte const> bytes) {
 
 void publish_file(fs::path const& path, std::string_view text) { publish_file(path, std::as_bytes(std::span(text))); }
 
+bool is_full(std::error_code const& error) { return error == std::errc::no_space_on_device || error.value() == EDQUOT; }
+
 void withdraw_file(fs::path const& path) {
   if (fs::remove(path)) flush_folder(path.parent_path());
 }

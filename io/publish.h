@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 namespace vitrine::io {
 
@@ -14,6 +15,9 @@ namespace vitrine::io {
 /// Errors: std::filesystem::filesystem_error with the path and the system's reason (disk full, not permitted).
 void publish_file(std::filesystem::path const& path, std::span<std::byte const> bytes);
 void publish_file(std::filesystem::path const& path, std::string_view text);
+
+/// Whether the disk, or this user's share of it, is full.
+bool is_full(std::error_code const& error);
 
 /// Removes a file for good, if it is there: on return no crash brings it back. Errors: as publish_file.
 void withdraw_file(std::filesystem::path const& path);

@@ -111,10 +111,12 @@ void prune(graph::Night const& night, fs::path const& gallery) {
 }
 
 int exit_code(graph::Night const& night, graph::GuardReport const& report) {
-  if (night.archive().entries.empty()) return kFatal;
+  bool const found = !night.archive().entries.empty();
   switch (report.ending) {
-    case graph::Ending::complete: break;
-    case graph::Ending::interrupted: return night.complete() ? kComplete : kInterrupted;
+    case graph::Ending::complete:
+      if (!found) return kFatal;
+      break;
+    case graph::Ending::interrupted: return found && night.complete() ? kComplete : kInterrupted;
     case graph::Ending::disk: return kDiskFull;
     case graph::Ending::machine: return kMachine;
     case graph::Ending::refused: return kFatal;
@@ -185,7 +187,7 @@ int convert(ConvertCommand const& command) try {
   return command.dry_run ? rehearse(command) : run(command);
 } catch (fs::filesystem_error const& error) {
   fmt::print(stderr, "error: {}\n", printable(error.what()));
-  return error.code() == std::errc::no_space_on_device ? kDiskFull : kMachine;
+  return io::is_full(error.code()) ? kDiskFull : kMachine;
 }
 
 }  // namespace vitrine::tools

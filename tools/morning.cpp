@@ -23,14 +23,16 @@ constexpr char kStyle[] = R"(
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2rem; }
 table { border-collapse: collapse; width: 100%; } th { text-align: left; }
-td, th { border-bottom: 1px solid var(--line); padding: .3rem .6rem .3rem 0; vertical-align: top; overflow-wrap: anywhere; }
+td, th { border-bottom: 1px solid var(--line); padding: .3rem .6rem .3rem 0; vertical-align: top; }
+td:first-child, td:last-child { overflow-wrap: anywhere; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
-.bad { color: var(--bad); } .quiet { color: var(--quiet); } code { font-size: .9em; overflow-wrap: anywhere; }
+.bad { color: var(--bad); white-space: nowrap; } .quiet { color: var(--quiet); } code { font-size: .9em; overflow-wrap: anywhere; }
 )";
 
 std::string hours(double seconds) {
   auto const s = long(seconds + 0.5);
-  return s < 60 ? fmt::format("{:.1f} s", seconds) : fmt::format("{}:{:02}:{:02} h", s / 3600, s / 60 % 60, s % 60);
+  if (s < 60) return fmt::format("{:.1f} s", seconds);
+  return s < 3600 ? fmt::format("{} min {} s", s / 60, s % 60) : fmt::format("{} h {} min", s / 3600, s / 60 % 60);
 }
 
 std::string size(std::uint64_t bytes) {
@@ -80,10 +82,13 @@ std::string list_html(std::string const& title, std::string const& left, std::st
 }
 
 std::string models_html(std::vector<ModelRow> const& rows) {
-  std::string out = "<h2>All models</h2>\n<table><tr><th>Model</th><th></th><th class=\"number\">Bytes</th></tr>\n";
+  std::string out = "<h2>All models</h2>\n<table><tr><th>Model</th><th></th><th class=\"number\">Bytes</th><th>To know</th></tr>\n";
   for (ModelRow const& row : rows) {
+    std::string notes;
+    for (std::string const& note : row.notes) notes += (notes.empty() ? "" : "<br>") + html(note);
     std::string const name = row.thumb.empty() ? html(row.input) : "<a href=\"" + html(row.thumb) + "\">" + html(row.input) + "</a>";
-    out += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n", name, html(row.status), row.status == "done" ? size(row.bytes.total) : "");
+    out += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"quiet\">{}</td></tr>\n", name, html(row.status),
+                       row.status == "done" ? size(row.bytes.total) : "", notes);
   }
   return out + "</table>\n";
 }
@@ -113,8 +118,8 @@ std::string summary_html(Summary const& s, std::vector<ModelRow> const& rows) {
   if (!s.problems.empty()) out += fmt::format("{} problems, {} of them new. ", s.problems.size(), new_problems(s));
   if (!s.guard.reason.empty()) out += "Ended early: " + html(s.guard.reason) + ". ";
   out += "<span class=\"quiet\">Models were opened under: " + html(s.guard.confinement) + ".</span></p>\n";
-  out += problems_html(s);
   out += list_html("Reasons", "Stage and reason", "Models", s.reasons, [](std::size_t n) { return std::to_string(n); });
+  out += problems_html(s);
   out += list_html("Slowest of this run", "Model", "Time", s.slowest, hours);
   out += list_html("Repairs", "What was mended or dropped", "Count", s.repairs, [](std::uint64_t n) { return std::to_string(n); });
   return out + models_html(rows) + "</body>\n</html>\n";

@@ -49,10 +49,12 @@ std::string run_line(fs::path const& gallery, bool running) {
   std::ifstream file(gallery / ".vitrine/status.json");
   nlohmann::json const status = nlohmann::json::parse(file, nullptr, false);
   if (!status.is_object()) return "";
-  std::string const state = running ? "running" : status.value("state", "") == "running" ? "died: run the same command again" : status.value("state", "");
-  std::string text = fmt::format("{}; started {}, updated {}; {} of {} models through, {} of them in this run, {} problems\n", state,
-                                 status.value("started", ""), status.value("updated", ""), status.value("settled", 0),
-                                 status.value("models", 0), status.value("converted", 0), status.value("failed", 0));
+  std::string const state = status.value("state", ""), started = status.value("started", ""), updated = status.value("updated", "");
+  if (!running && state == "running")
+    return fmt::format("died: run the same command again; started {}, last heard of {}\n", started, updated);
+  std::string text = fmt::format("{}; started {}, updated {}; {} of {} models through, {} of them in this run, {} problems\n",
+                                 running ? "running" : state, started, updated, status.value("settled", 0), status.value("models", 0),
+                                 status.value("converted", 0), status.value("failed", 0));
   if (running)
     for (auto const& model : status.value("underWay", nlohmann::json::array()))
       text += fmt::format("  {}: {}\n", model.value("model", ""), model.value("stage", ""));
