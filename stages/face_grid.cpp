@@ -39,7 +39,7 @@ FaceGrid::FaceGrid(TriMesh const& mesh, float reach) : reach_(reach) {
   first_.assign(std::size_t(cells_.x) * cells_.y * cells_.z + 1, 0);
   for (Face const& face : faces_) for_cells(face, [&](std::size_t cell) { ++first_[cell]; });
   std::uint32_t sum = 0;
-  for (std::uint32_t& first : first_) first = sum += first;  // for now, where its list ends
+  for (std::uint32_t& first : first_) first = sum += first;  // where its list ends; filling it from behind moves that to its beginning
   listed_.resize(sum);
   for (std::size_t f = faces_.size(); f-- > 0;)
     for_cells(faces_[f], [&](std::size_t cell) { listed_[--first_[cell]] = std::uint32_t(f); });
