@@ -111,19 +111,6 @@ Measurement read_measure(json const& in) {
   return m;
 }
 
-std::vector<SeriesSizes> read_series(json const& in) {
-  std::vector<SeriesSizes> series;
-  for (auto const& [codec, sizes] : in.items()) {
-    series.push_back({codec, {}});
-    for (auto const& [key, size] : sizes.items()) {
-      int frames = 0;
-      std::from_chars(key.data(), key.data() + key.size(), frames);
-      series.back().sizes.push_back({frames, size.at("bytes"), size.at("codingMse1e4"), size.at("turningMse1e4")});
-    }
-  }
-  return series;
-}
-
 Verdict read_verdict(json const& in) {
   Verdict verdict{in.at("winner") == "3d", {}};
   if (json const& rival = in.at("rival"); !rival.is_null())
@@ -144,6 +131,19 @@ bool sealed(json certificate) {
 }
 
 }  // namespace
+
+std::vector<SeriesSizes> read_series(json const& in) {
+  std::vector<SeriesSizes> series;
+  for (auto const& [codec, sizes] : in.items()) {
+    series.push_back({codec, {}});
+    for (auto const& [key, size] : sizes.items()) {
+      int frames = 0;
+      std::from_chars(key.data(), key.data() + key.size(), frames);
+      series.back().sizes.push_back({frames, size.at("bytes"), size.at("codingMse1e4"), size.at("turningMse1e4")});
+    }
+  }
+  return series;
+}
 
 std::optional<Record> record_from_certificate(std::string const& text, std::string const& slug) try {
   json const in = json::parse(text);

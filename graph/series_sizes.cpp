@@ -62,4 +62,12 @@ nlohmann::ordered_json to_json(std::vector<SeriesSizes> const& series) {
   return out;
 }
 
+std::vector<RivalSeries> rivals(std::vector<SeriesSizes> const& series) {
+  std::vector<RivalSeries> out;
+  for (SeriesSizes const& coded : series)
+    for (SeriesSize const& size : coded.sizes)
+      out.push_back({coded.codec, size.frames, size.bytes, size.turning_mse1e4});
+  return out;
+}
+
 }  // namespace vitrine::graph

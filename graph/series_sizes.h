@@ -3,6 +3,7 @@
 /// What an object would weigh as a series of pictures instead, and how far such a series is off.
 
 #include "stages/measure.h"
+#include "stages/verdict.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -34,5 +35,8 @@ std::vector<SeriesSizes> series_sizes(Reference const& reference);
 
 /// The key `series` of certificate.json: {"jpeg90": {"8": {"bytes", "codingMse1e4", "turningMse1e4"}, "16": …}, …}.
 nlohmann::ordered_json to_json(std::vector<SeriesSizes> const& series);
+
+/// What a verdict compares a thumbnail with.
+std::vector<RivalSeries> rivals(std::vector<SeriesSizes> const& series);
 
 }  // namespace vitrine::graph

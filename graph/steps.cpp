@@ -90,14 +90,6 @@ Measurement measurement(Reference const& reference, Comparison const& comparison
           coverage(reference.pictures)};
 }
 
-std::vector<RivalSeries> rivals(std::vector<SeriesSizes> const& series) {
-  std::vector<RivalSeries> out;
-  for (SeriesSizes const& coded : series)
-    for (SeriesSize const& size : coded.sizes)
-      out.push_back({std::string(coded.codec), size.frames, size.bytes, size.turning_mse1e4});
-  return out;
-}
-
 /// How far pictures of a thinned scan are from those of the whole: MSE x 10^4 over some views.
 double thinning_error(SourceModel whole, SourceModel const& thin, int size) {
   constexpr int views = 4;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/gallery.h"
 
+#include "graph/certificate.h"
 #include "io/blob.h"
 #include "stages/error.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace vitrine::report {
 namespace {
@@ -23,21 +23,6 @@ auto of_file(fs::path const& file, Read const& read) {
   } catch (Error const& e) {
     throw Error(e.kind(), file.string() + ": " + e.what(), e.remedy());
   }
-}
-
-int frames_of(std::string const& key) {
-  int frames = 0;
-  std::from_chars(key.data(), key.data() + key.size(), frames);
-  return frames;
-}
-
-std::vector<RivalSeries> read_series(Json const& certificate) {
-  std::vector<RivalSeries> out;
-  if (!certificate.contains("series")) return out;
-  for (auto const& [codec, sizes] : certificate.at("series").items())
-    for (auto const& [frames, size] : sizes.items())
-      out.push_back({codec, frames_of(frames), size.at("bytes"), size.at("turningMse1e4")});
-  return out;
 }
 
 /// A folder's name that leads nowhere else.
@@ -92,7 +77,7 @@ Thumbnail read_thumbnail(Json const& certificate) try {
   out.coverage = measure.at("coverage");
   out.worst_view = measure.at("worstView");
   out.triangles = certificate.at("mesh").at("triangles");
-  out.series = read_series(certificate);
+  if (certificate.contains("series")) out.series = graph::rivals(graph::read_series(certificate.at("series")));
   return out;
 } catch (nlohmann::json::exception const& e) {
   throw Error(ErrorKind::invalid_input, std::string("not a certificate: ") + e.what(), kRemedy);
