@@ -27,6 +27,9 @@ class Admission {
 
   std::uint64_t memory_in_use() const { return used_; }
   std::size_t models_in_flight() const { return running_; }
+  std::size_t models_waiting() const { return waiting_.size(); }
+  /// Right after admit(): whether a model waits for nothing else.
+  bool waits_for_memory() const { return !waiting_.empty() && running_ < models_; }
 
  private:
   static constexpr int kPatience = 64;

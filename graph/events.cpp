@@ -4,6 +4,10 @@
 #include <nlohmann/json.hpp>
 
 namespace vitrine::graph {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Occupancy, seconds, available, computed, taken, memory, reading, writing, ending, within, disk_bytes,
+                                   peak, admitted, most_admitted, allowed)
+
 namespace {
 
 using nlohmann::json;
@@ -49,6 +53,7 @@ WorkEvents sending(std::function<void(json const&)> const& send) {
     send({{"event", "todo"}, {"slug", slug}, {"why", why}});
   };
   events.converting = [=] { send({{"event", "converting"}}); };
+  events.occupied = [=](Occupancy const& occupancy) { send({{"event", "occupied"}, {"cores", occupancy}}); };
   events.finished = [=](Record const& record) { send({{"event", "finished"}, {"record", to_bytes(record)}}); };
   return events;
 }
@@ -65,6 +70,8 @@ bool deliver(json const& message, WorkEvents const& events) try {
     events.todo(message.at("slug"), message.at("why"));
   else if (event == "converting")
     events.converting();
+  else if (event == "occupied")
+    events.occupied(message.at("cores"));
   else if (event == "finished")
     with_record(message, events.finished);
   else

@@ -95,6 +95,7 @@ class Guard {
       if (!alone_ && !announced_) listener_.converting();
       announced_ = true;
     };
+    events_.occupied = [this](Occupancy const& occupancy) { report_.occupancy += occupancy; };
     events_.finished = [this](Record const& record) { finished(record); };
   }
 

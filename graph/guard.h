@@ -40,6 +40,7 @@ struct GuardReport {
   std::string reason;               ///< of an ending that is not complete
   std::string confinement, missing; ///< of the worker, see confinement.h
   int workers = 0;                  ///< that were started
+  Occupancy occupancy;              ///< of them all, while they converted models
 };
 
 /// Is told of everything: for progress, logs and status files.

@@ -3,6 +3,7 @@
 /// What travels on the graph's edges: a model's job, and either the value of the last stage or the failure that ended
 /// it.
 
+#include "graph/meter.h"
 #include "graph/options.h"
 #include "graph/report.h"
 #include "graph/study.h"
@@ -42,6 +43,7 @@ struct Job {
   RunOptions const* run = nullptr;
   std::uint64_t memory = 0;  ///< bytes that it was admitted with
   std::size_t number = 0;    ///< in the archive
+  Meter* meter = nullptr;
   Trace* trace = nullptr;    ///< where one is kept
   Trace::Clock::time_point admitted{}, ready{};  ///< ready: since then it waits for its next stage
   ModelRow row;

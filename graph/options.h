@@ -2,6 +2,7 @@
 #pragma once
 /// Everything that can be chosen, as one value; and its visitor, from which flags, reports and docs/options.md follow.
 
+#include "graph/occupancy.h"
 #include "io/archive.h"
 #include "io/read_model.h"
 #include "io/write_glb.h"
@@ -78,6 +79,7 @@ struct RunOptions {
   std::filesystem::path trace{};  ///< where to write what happened when; empty: nowhere
   std::size_t models = 0;    ///< under way at once; 0: twice the threads
   std::function<void(io::ArchiveEntry const&, std::string_view stage)> stage{};  ///< a model enters a stage; from any thread
+  std::function<void(Occupancy const& since_the_last)> occupied{};  ///< at the end of each model; from one thread at a time
   std::stop_token stop{};  ///< once stop is requested, no further model is begun
 };
 

@@ -4,6 +4,7 @@
 #include "graph/admission.h"
 #include "graph/arrival.h"
 #include "graph/message.h"
+#include "graph/meter.h"
 #include "graph/stage_body.h"
 #include "graph/steps.h"
 #include "graph/trace.h"
@@ -103,6 +104,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   Admission admission(memory, run.models > 0 ? run.models : 2 * threads);
   auto const number = [&](JobPtr const& job) { return std::size_t(job->entry - archive.entries.data()); };
 
+  Meter meter(threads, allowed, kProgramMemory);
   std::optional<Trace> trace;
   if (!run.trace.empty()) trace.emplace();
 
@@ -128,6 +130,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
     for (std::size_t id : admission.admit()) {
       JobPtr job = std::move(waiting[id]);
       job->number = id;
+      job->meter = &meter;
       job->trace = trace ? &*trace : nullptr;
       job->admitted = job->ready = Trace::Clock::now();
       Message<Admitted> message{job, std::make_shared<Admitted const>()};
@@ -135,6 +138,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
       if (run.stop.stop_requested()) message.value = kStopped;
       std::get<0>(out).try_put(message);
     }
+    meter.admission(admission);
     if (trace) trace->memory(admission.memory_in_use(), admission.models_in_flight());
   });
   auto load = node.operator()<Admitted, CleanModel>(
@@ -206,6 +210,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
                                                           rows[id] = finish(message);
                                                           if (trace) trace->model(id, rows[id].input, message.job->admitted, Trace::Clock::now());
                                                           if (finished) finished(rows[id], id);
+                                                          if (run.occupied) run.occupied(meter.take());
                                                           return Left{message.job->memory};
                                                         });
 

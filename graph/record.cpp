@@ -56,7 +56,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesSize, frames, bytes, coding_mse1e4, tur
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesSizes, codec, sizes)
 using SeriesWritten = ModelRow::SeriesWritten;
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesWritten, frames, rows, bytes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ModelRow, series_written, sphere, thinned_triangles, thinning_mse1e4, waiting, charts, chart_retries, simplify_error, atlas_fill, bake, triangles, vertices,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ModelRow, series_written, sphere, thinned_triangles, thinning_mse1e4, waiting, peaks, charts, chart_retries, simplify_error, atlas_fill, bake, triangles, vertices,
                                    bytes, x3d_bytes, recipe, map_quality, normal_angle, input, slug, title, metadata, status, failure, thumb, poster,
                                    series_folder, x3d, x3d_zip, certificate, files, input_hash, dependencies, input_bytes,
                                    memory, source_triangles, source_vertices, source_coloured, up, repairs, notes, trials,

@@ -2,6 +2,7 @@
 #include "graph/report.h"
 
 #include "graph/options_json.h"
+#include "graph/profile.h"
 #include "io/csv.h"
 
 #include <algorithm>
@@ -110,29 +111,10 @@ json row_json(ModelRow const& row) {
   return out;
 }
 
-/// Per stage: models that went through, seconds, share of all, and how long models waited for it.
 json stages_json(std::vector<ModelRow> const& rows) {
-  std::vector<std::string> order;
-  std::map<std::string, std::pair<std::size_t, double>> sums;
-  std::map<std::string, double> waiting;
-  double all = 0;
-  for (ModelRow const& row : rows) {
-    for (auto const& [stage, seconds] : row.seconds) {
-      if (!sums.contains(stage)) order.push_back(stage);
-      sums[stage].first += 1;
-      sums[stage].second += seconds;
-      all += seconds;
-    }
-    for (auto const& [stage, seconds] : row.waiting) waiting[stage] += seconds;
-  }
-  json out = json::array();
-  for (std::string const& stage : order)
-    out.push_back({{"stage", stage},
-                   {"models", sums[stage].first},
-                   {"seconds", sums[stage].second},
-                   {"share", all > 0 ? sums[stage].second / all : 0},
-                   {"waiting", waiting[stage]}});
-  return out;
+  Profile profile;
+  for (ModelRow const& row : rows) profile.add(row);
+  return profile_json(profile.stages());
 }
 
 }  // namespace

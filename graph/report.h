@@ -95,6 +95,7 @@ struct ModelRow : Made {
 
   std::vector<std::pair<std::string, double>> seconds;  ///< wall time per stage, in order; waiting excluded
   std::vector<std::pair<std::string, double>> waiting;  ///< wall time before each stage, from admission on
+  std::vector<std::pair<std::string, std::uint64_t>> peaks;  ///< most memory of the program while each stage ran, bytes
 };
 
 /// One line for people: "error: office/ch_03.obj: segment: …; try …".

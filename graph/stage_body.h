@@ -48,23 +48,23 @@ inline Failure current_failure(std::string_view stage) {
   }
 }
 
-/// A stage that a search repeats has one sum.
-inline void add_seconds(std::vector<std::pair<std::string, double>>& sums, std::string_view stage,
-                        Trace::Clock::duration spent) {
-  double const seconds = std::chrono::duration<double>(spent).count();
-  for (auto& [name, sum] : sums)
-    if (name == stage) {
-      sum += seconds;
-      return;
-    }
-  sums.emplace_back(stage, seconds);
+/// A stage that a search repeats has one figure.
+template <class Value>
+Value& of_stage(std::vector<std::pair<std::string, Value>>& figures, std::string_view stage) {
+  for (auto& [name, value] : figures)
+    if (name == stage) return value;
+  return figures.emplace_back(stage, Value{}).second;
 }
 
-/// The one place where stages meet a clock.
-inline void note_stage(Job& job, std::string_view stage, Trace::Clock::time_point begin) {
+inline double seconds_of(Trace::Clock::duration spent) { return std::chrono::duration<double>(spent).count(); }
+
+/// The one place where stages meet a clock. `ticket`: of the meter.
+inline void note_stage(Job& job, std::string_view stage, Trace::Clock::time_point begin, std::size_t ticket) {
   auto const end = Trace::Clock::now();
-  add_seconds(job.row.seconds, stage, end - begin);
-  add_seconds(job.row.waiting, stage, begin - job.ready);
+  of_stage(job.row.seconds, stage) += seconds_of(end - begin);
+  of_stage(job.row.waiting, stage) += seconds_of(begin - job.ready);
+  std::uint64_t& peak = of_stage(job.row.peaks, stage);
+  peak = std::max(peak, job.meter->end(ticket));
   job.ready = end;
   if (job.trace) job.trace->stage(job.number, stage, std::max(0, tbb::this_task_arena::current_thread_index()), begin, end);
 }
@@ -75,6 +75,7 @@ auto stage(std::string_view name, Body body) {
   return [name, body](Message<In> const& in) -> Message<Out> {
     if (auto const* failure = std::get_if<Failure>(&in.value)) return {in.job, *failure};
     auto const begin = Trace::Clock::now();
+    std::size_t const ticket = in.job->meter->begin(name);
     Message<Out> out{in.job, Failure{}};
     try {
       if (in.job->run->stage) in.job->run->stage(*in.job->entry, name);
@@ -83,7 +84,7 @@ auto stage(std::string_view name, Body body) {
     } catch (...) {
       out.value = current_failure(name);
     }
-    note_stage(*in.job, name, begin);
+    note_stage(*in.job, name, begin, ticket);
     return out;
   };
 }

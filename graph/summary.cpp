@@ -67,6 +67,7 @@ Summary summarise(Night const& night, GuardReport const& guard, double seconds, 
   std::map<std::string, std::size_t> reasons;
   std::map<std::string, double> times;
   std::map<std::string, std::uint64_t> repairs;
+  Profile profile;
   summary.models = rows.size();
   for (ModelRow const& row : rows) {
     bool const now = night.converted().contains(row.slug);
@@ -77,7 +78,7 @@ Summary summarise(Night const& night, GuardReport const& guard, double seconds, 
     summary.converted += now;
     summary.up_to_date += !now && row.status == "done";
     summary.bytes += row.bytes.total;
-    if (now) times[row.input] = seconds_of(row);
+    if (now) times[row.input] = seconds_of(row), profile.add(row);
     count_repairs(row.repairs, repairs);
     if (row.status != "failed" && row.status != "quarantined") continue;
     ++reasons[row.failure.stage + ": " + kind_of(row.failure.reason)];
@@ -88,6 +89,7 @@ Summary summarise(Night const& night, GuardReport const& guard, double seconds, 
   summary.slowest = sorted(times);
   summary.slowest.resize(std::min(summary.slowest.size(), kSlowest));
   summary.repairs = sorted(repairs);
+  summary.stages = profile.stages();
   summary.disk = disk_used(rows, gallery);
   summary.orphans = night.orphans();
   summary.seconds = seconds;
@@ -97,6 +99,24 @@ Summary summarise(Night const& night, GuardReport const& guard, double seconds, 
   return summary;
 }
 
+namespace {
+
+/// Core-seconds, but `seconds`.
+json cores_json(Occupancy const& o) {
+  return {{"seconds", o.seconds},
+          {"available", o.available},
+          {"computed", o.computed},
+          {"taken", o.taken},
+          {"idle",
+           {{"memory", o.memory}, {"reading", o.reading}, {"writing", o.writing}, {"ending", o.ending}, {"within", o.within}}}};
+}
+
+json memory_json(Occupancy const& o) {
+  return {{"peak", o.peak}, {"admittedAtPeak", o.admitted}, {"mostAdmitted", o.most_admitted}, {"allowed", o.allowed}};
+}
+
+}  // namespace
+
 json run_json(Summary const& s) {
   json slowest = json::array(), fresh = json::array(), known = json::array();
   for (auto const& [input, seconds] : s.slowest) slowest.push_back({{"input", input}, {"seconds", seconds}});
@@ -105,6 +125,8 @@ json run_json(Summary const& s) {
           {"upToDate", s.up_to_date},    {"newFailures", fresh},
           {"knownFailures", known},      {"slowest", slowest},
           {"workers", s.guard.workers},  {"confinement", s.guard.confinement},
+          {"bound", shown(bound(s.guard.occupancy))}, {"cores", cores_json(s.guard.occupancy)},
+          {"memory", memory_json(s.guard.occupancy)}, {"diskBytes", s.guard.occupancy.disk_bytes},
           {"unprotected", s.guard.missing}, {"ending", s.guard.reason.empty() ? "complete" : s.guard.reason}};
 }
 

@@ -4,6 +4,7 @@
 
 #include "graph/guard.h"
 #include "graph/night.h"
+#include "graph/profile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,7 @@ struct Summary {
   std::vector<std::pair<std::string, std::size_t>> reasons;   ///< "stage: reason" and how many models, most first
   std::vector<std::pair<std::string, double>> slowest;        ///< of this run; seconds of work
   std::vector<std::pair<std::string, std::uint64_t>> repairs; ///< by kind, over all models
+  std::vector<StageProfile> stages;                           ///< of what this run converted
   std::vector<std::string> orphans;                           ///< folders of models that are no longer in the archive
   GuardReport guard;
   std::string retry;  ///< the command that tries failures again

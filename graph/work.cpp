@@ -67,6 +67,7 @@ class Pass {
         events_.stage(entry.slug, std::string(stage));
       });
     };
+    run.occupied = [&](Occupancy const& occupancy) { say([&] { events_.occupied(occupancy); }); };
     run_pipeline(todo, work_.model, run, [&](ModelRow const& row, std::size_t number) {
       io::ArchiveEntry const& entry = todo.entries[number];
       say([&] {

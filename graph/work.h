@@ -36,6 +36,7 @@ struct WorkEvents {
   std::function<void(Record const&)> fresh;                                          ///< up to date, or known to fail
   std::function<void(std::string const& slug, std::string const& why)> todo;         ///< it will be converted
   std::function<void()> converting;                                                  ///< all have been looked at
+  std::function<void(Occupancy const& since_the_last)> occupied;                     ///< what the cores did
   std::function<void(Record const&)> finished;                                       ///< converted, or failed
 };
 

@@ -27,7 +27,6 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <thread>
 
 namespace vitrine::tools {
 namespace {
@@ -99,13 +98,6 @@ void publish_reports(ConvertCommand const& command, graph::Night const& night, g
   io::publish_file(gallery / "gallery.json", graph::to_text(shown));
 }
 
-/// Share of the cores' time that the program computed.
-double busy(graph::RunOptions const& run, double seconds) {
-  unsigned const all = std::max(std::thread::hardware_concurrency(), 1u);
-  unsigned const cores = run.threads > 0 ? std::min(unsigned(run.threads), all) : all;
-  return std::min(1.0, graph::cpu_seconds() / (seconds * cores));
-}
-
 void prune(graph::Night const& night, fs::path const& gallery) {
   for (std::string const& slug : night.orphans()) fs::remove_all(gallery / "models" / slug);
 }
@@ -160,7 +152,6 @@ int run(ConvertCommand const& command) {
   publish_reports(command, night, summary);
   publish_page(gallery, night.rows(), command.model.encode.x3dom);
   fmt::print("{}", summary_text(summary, gallery.string()));
-  fmt::print("cores {:.0f} % busy, at most {:.2f} GB of memory\n", 100 * busy(command.run, seconds), double(graph::peak_memory()) / 1e9);
   return exit_code(night, report);
 }
 

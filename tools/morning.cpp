@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/morning.h"
 
+#include "tools/cores_words.h"
 #include "tools/printable.h"
 #include "tools/report/escape.h"
 
@@ -107,6 +108,8 @@ std::string summary_text(Summary const& s, std::string const& gallery) {
   if (!s.orphans.empty())
     text += fmt::format("{} folders in models/ belong to nothing in the archive; convert --prune removes them\n", s.orphans.size());
   if (!s.guard.reason.empty()) text += "ended early: " + printable(s.guard.reason) + "; the same command goes on where it stopped\n";
+  if (!s.stages.empty())
+    for (std::string const& line : {stages_words(s.stages), memory_words(s.guard.occupancy), cores_words(s.guard.occupancy)}) text += line + "\n";
   if (s.pending == 0) text += "look at it: vitrine serve " + printable(gallery) + "\n";
   return text;
 }
@@ -121,6 +124,8 @@ std::string summary_html(Summary const& s, std::vector<ModelRow> const& rows) {
   out += list_html("Reasons", "Stage and reason", "Models", s.reasons, [](std::size_t n) { return std::to_string(n); });
   out += problems_html(s);
   out += list_html("Slowest of this run", "Model", "Time", s.slowest, hours);
+  out += stages_html(s.stages);
+  if (!s.stages.empty()) out += "<p>" + html(cores_words(s.guard.occupancy)) + "; " + html(memory_words(s.guard.occupancy)) + ".</p>\n";
   out += list_html("Repairs", "What was mended or dropped", "Count", s.repairs, [](std::uint64_t n) { return std::to_string(n); });
   return out + models_html(rows) + "</body>\n</html>\n";
 }

@@ -35,7 +35,7 @@ bool is_nested(std::vector<Slice> slices) {
 }
 
 /// One sound model and one that is none, traced.
-nlohmann::json traced(test::TemporaryFolder const& folder, std::vector<ModelRow>& rows) {
+nlohmann::json traced(test::TemporaryFolder const& folder, std::vector<ModelRow>& rows, Occupancy* occupancy = nullptr) {
   test::write_file(folder.path() / "archive/torus.obj", test::obj_text(test::plain_model(test::torus())));
   test::write_file(folder.path() / "archive/empty.ply", "");
   ModelOptions options;
@@ -44,6 +44,7 @@ nlohmann::json traced(test::TemporaryFolder const& folder, std::vector<ModelRow>
   options.publish.certificate = false;
   RunOptions run{2, 0, folder.path() / "gallery"};
   run.trace = folder.path() / "trace.json";
+  if (occupancy) run.occupied = [=](Occupancy const& part) { *occupancy += part; };
   rows = run_pipeline(io::read_archive(folder.path() / "archive"), options, run);
   return nlohmann::json::parse(test::read_file(run.trace));
 }
@@ -84,6 +85,18 @@ TEST(Trace, TheReportSaysHowLongModelsWaited) {
   nlohmann::json const stages = report_json(rows, "/archive", {}, 1)["stages"];
   ASSERT_FALSE(stages.empty());
   for (nlohmann::json const& stage : stages) EXPECT_GE(stage["waiting"].get<double>(), 0);
+  for (nlohmann::json const& stage : stages) EXPECT_GT(stage["peakMemory"].get<std::uint64_t>(), 1'000'000u);
+}
+
+TEST(Trace, WhatTheCoresDidAddsUp) {
+  test::TemporaryFolder const folder;
+  std::vector<ModelRow> rows;
+  Occupancy o;
+  (void)traced(folder, rows, &o);
+  EXPECT_NEAR(o.computed + o.taken + o.memory + o.reading + o.writing + o.ending + o.within, o.available, 1e-9);
+  EXPECT_GT(o.computed, 0);
+  EXPECT_NE(bound(o), Bound::nothing);
+  EXPECT_LE(o.most_admitted, o.allowed);
 }
 
 }  // namespace
