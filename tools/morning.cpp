@@ -125,7 +125,7 @@ std::string summary_html(Summary const& s, std::vector<ModelRow> const& rows) {
   out += problems_html(s);
   out += list_html("Slowest of this run", "Model", "Time", s.slowest, hours);
   out += stages_html(s.stages);
-  if (!s.stages.empty()) out += "<p>" + html(cores_words(s.guard.occupancy)) + "; " + html(memory_words(s.guard.occupancy)) + ".</p>\n";
+  if (!s.stages.empty()) out += "<p>The run was " + html(cores_words(s.guard.occupancy)) + "; " + html(memory_words(s.guard.occupancy)) + ".</p>\n";
   out += list_html("Repairs", "What was mended or dropped", "Count", s.repairs, [](std::uint64_t n) { return std::to_string(n); });
   return out + models_html(rows) + "</body>\n</html>\n";
 }
