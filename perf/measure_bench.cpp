@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The measure: the original's 32 views, those of a thumbnail, and their comparison. A search does the last two for every
 // trial, so "s per view" is what to look at. A ball fills most of its picture: real objects cost about half of this.
-#include "stages/clean.h"
+#include "perf/sizes.h"
 #include "stages/measure.h"
-#include "tests/support/meshes.h"
 
-#include <benchmark/benchmark.h>
-
-#include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::perf {
 namespace {
 
-TriMesh mesh_of(int triangles) {
-  int const stacks = int(std::sqrt(double(triangles) / 4));
-  return test::bumpy_sphere(2 * stacks, stacks);
-}
-
-SurveyedModel surveyed(SourceModel model) { return survey(std::make_shared<SourceModel const>(std::move(model))); }
-
-SurveyedModel original(int triangles) { return surveyed(clean(test::painted_model(mesh_of(triangles))).model); }
+SurveyedModel original(int triangles) { return surveyed(clean(scan_of(triangles)).model); }
 
 /// Smooth, with a colour map and a normal map wound round it.
 SourceModel textured_model(TriMesh mesh) {
@@ -84,12 +73,12 @@ void sizes(benchmark::internal::Benchmark* bench) {
   bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 }
 
-BENCHMARK(BM_Reference)->Arg(62'500)->Arg(250'000)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(BM_Reference)->Apply(scans);
 BENCHMARK(BM_PicturesFlat)->Apply(sizes);
 BENCHMARK(BM_PicturesTextured)->Apply(sizes);
 BENCHMARK(BM_Compare)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::perf
 
 BENCHMARK_MAIN();
