@@ -7,10 +7,13 @@
 namespace vitrine {
 namespace {
 
+/// A vertex for every two triangles, and all of its bits are noise beyond the first few.
+constexpr double kBytesPerBit = 3.0 / 8 / 2;
+
 double expected_bytes_per_triangle(Recipe const& recipe) {
-  double bytes = 0.25 + 0.1 * recipe.position_bits;
+  double bytes = kBytesPerBit * (recipe.position_bits - 3.7);
   if (recipe.shading == Shading::smooth) bytes += 0.45;
-  if (recipe.painting == Painting::vertices) bytes += 0.07 * recipe.colour_bits;
+  if (recipe.painting == Painting::vertices) bytes += 0.1 * recipe.colour_bits - 0.15;
   if (is_textured(recipe)) bytes += 0.7;
   return bytes;
 }
