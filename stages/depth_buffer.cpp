@@ -64,6 +64,23 @@ unsigned tile_within(Edge<std::int32_t> const& a, Edge<std::int32_t> const& b, E
   return ~(outside(upper) | outside(lower) << 8) & 0xffffu;
 }
 
+/// An edge at a row of the tile.
+__m128 row_of(Edge<std::int32_t> const& edge, int row) {
+  __m128i const first = _mm_set1_epi32(edge.at + row * edge.per_row);
+  return _mm_cvtepi32_ps(_mm_add_epi32(first, _mm_mullo_epi32(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(edge.per_column))));
+}
+
+/// Of samples side by side, those whose bits are set become what is nearer.
+void put_row(std::uint64_t* samples, __m128 nearness, std::uint32_t id, unsigned which) {
+  __m256i const bits = _mm256_setr_epi64x(1, 2, 4, 8);
+  __m256i const within = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(which), bits), bits);
+  __m256i const depths = _mm256_slli_epi64(_mm256_cvtepu32_epi64(_mm_castps_si128(nearness)), 32);
+  __m256i const drawn = _mm256_or_si256(depths, _mm256_set1_epi64x(id));
+  __m256i const there = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(samples));
+  __m256i const nearer = _mm256_and_si256(within, _mm256_cmpgt_epi64(drawn, there));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(samples), _mm256_blendv_epi8(there, drawn, nearer));
+}
+
 }  // namespace
 
 Lens::Lens(Camera const& camera, V3d const& origin, int of)
@@ -75,7 +92,7 @@ Lens::Lens(Camera const& camera, V3d const& origin, int of)
 }
 
 DepthBuffer::DepthBuffer(int side)
-    : side_(side), samples_(std::make_unique_for_overwrite<Sample[]>(std::size_t(side) * std::size_t(side))) {}
+    : side_(side), samples_(std::make_unique_for_overwrite<Sample[]>(std::size_t(side) * std::size_t(side) + kTile)) {}
 
 bool DepthBuffer::draw(TriMesh const& mesh, Lens const& lens) {
   if (!project(mesh, lens)) return false;
@@ -168,13 +185,15 @@ void DepthBuffer::fill_tiles(std::uint32_t id, Corner const& a, Corner b, Corner
       Edge<std::int32_t> const across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
       int const columns = std::min(cells.right - left + 1, kTile), rows = std::min(cells.bottom - top + 1, kTile);
       unsigned within = tile_within(across_a, across_b, across_c) & 0x1111u * ((1u << columns) - 1) & ((1u << kTile * rows) - 1);
-      if (within != 0 && per_b == 0 && per_c == 0)
+      if (within == 0) continue;
+      if (per_b == 0 && per_c == 0)
         per_b = (b.nearness - a.nearness) / float(area), per_c = (c.nearness - a.nearness) / float(area);
-      for (; within != 0; within &= within - 1) {
-        int const column = std::countr_zero(within) % kTile, row = std::countr_zero(within) / kTile;
-        std::int32_t const eb = across_b.at + column * across_b.per_column + row * across_b.per_row;
-        std::int32_t const ec = across_c.at + column * across_c.per_column + row * across_c.per_row;
-        put(left + column, top + row, a.nearness + per_b * float(eb) + per_c * float(ec), id);
+      for (int row = 0; within != 0; ++row, within >>= kTile) {
+        if (within % (1u << kTile) == 0) continue;
+        __m128 const nearness = _mm_add_ps(
+            _mm_add_ps(_mm_set1_ps(a.nearness), _mm_mul_ps(_mm_set1_ps(per_b), row_of(across_b, row))),
+            _mm_mul_ps(_mm_set1_ps(per_c), row_of(across_c, row)));
+        put_row(&samples_[std::size_t(top + row) * std::size_t(side_) + std::size_t(left)], nearness, id, within);
       }
     }
 }

@@ -4,12 +4,12 @@
 #include "stages/depth_buffer.h"
 #include "stages/face_lanes.h"
 #include "stages/parallel.h"
+#include "stages/seen_face.h"
 #include "stages/shade.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 
 namespace vitrine {
 namespace {
@@ -17,75 +17,12 @@ namespace {
 constexpr int kMostLayers = 64;  ///< transparent ones that a ray passes before it sees the background
 constexpr float kGrey = 0.5f;
 constexpr std::size_t kManyFaces = 50'000;  ///< from here on, samples seldom share a face
+constexpr int kBlock = 4;                   ///< samples that are lit side by side are a square of so many
+static_assert(kBlock * kBlock == kLanes);
 
 /// One sample as the client's frame buffer holds it.
 using Texel = std::array<std::uint8_t, 4>;
 constexpr Texel kNothing{255, 255, 255, 0};
-
-/// Rays through samples of a picture, side by side.
-struct Rays {
-  std::size_t count = 0;
-  Lanes column, row;
-};
-
-/// A face before the eye: the place where a ray of direction d meets it is (d.u, d.v) / d.across.
-struct SeenFace {
-  Facet facet;
-  V3f u, v;
-
-  SeenFace() = default;
-  SeenFace(Surface const& surface, std::uint32_t face, V3f const& eye) : facet(surface.facet(face)) {
-    auto const& p = facet.corners;
-    V3f const from_first = eye - p[0];
-    u = from_first.cross(p[2] - p[0]), v = (p[1] - p[0]).cross(from_first);
-  }
-
-  /// Where rays meet the face; within it also where they pass by, by what the depth buffer rounds.
-  /// `facing`: 1, or -1 where it is seen from behind.
-  void meet(Rays const& rays, Lens const& lens, Places& at, Lanes& facing) const {
-    Product const across(facet.across, lens), to_u(u, lens), to_v(v, lens);
-    at.count = rays.count;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-      float const column = rays.column[i], row = rays.row[i], slope = across(column, row), scale = 1 / slope;
-      float const met_u = to_u(column, row) * scale, met_v = to_v(column, row) * scale;
-      float const low_u = met_u > 0 ? met_u : 0, in_u = low_u < 1 ? low_u : 1;
-      float const low_v = met_v > 0 ? met_v : 0, in_v = low_v < 1 - in_u ? low_v : 1 - in_u;
-      at.u[i] = in_u, at.v[i] = in_v;
-      facing[i] = slope > 0 ? -1.f : 1.f;
-      at.step_u[0][i] = (to_u.right - in_u * across.right) * scale;
-      at.step_v[0][i] = (to_v.right - in_v * across.right) * scale;
-      at.step_u[1][i] = (to_u.down - in_u * across.down) * scale;
-      at.step_v[1][i] = (to_v.down - in_v * across.down) * scale;
-    }
-  }
-
- private:
-  /// Of a vector and the direction of rays: linear in column and row.
-  struct Product {
-    float top_left, right, down;
-
-    Product(V3f const& with, Lens const& lens)
-        : top_left(with.dot(lens.top_left)), right(with.dot(lens.right)), down(-with.dot(lens.up)) {}
-    float operator()(float column, float row) const { return top_left + right * column + down * row; }
-  };
-};
-
-/// The faces seen last, by the low bits of their number.
-class SeenFaces {
- public:
-  SeenFaces(Surface const& surface, V3f const& eye) : surface_(surface), eye_(eye) {}
-
-  SeenFace const& operator[](std::uint32_t face) {
-    SeenFace& seen = faces_[face % faces_.size()];
-    if (seen.facet.face != face) std::construct_at(&seen, surface_, face, eye_);
-    return seen;
-  }
-
- private:
-  Surface const& surface_;
-  V3f eye_;
-  std::array<SeenFace, 64> faces_;
-};
 
 /// Draws one view of one model.
 class Painter {
@@ -95,7 +32,8 @@ class Painter {
     V3d const to_light = options.light == Light::head ? -camera.forward : camera.up - camera.right - camera.forward;
     to_light_ = V3f(to_light.normalized());
     all_grey_ = options.grey && options.occlusion != Occlusion::colour;
-    lanes_by_face_ = options.supersample * options.supersample == int(kLanes) && options.occlusion == Occlusion::none &&
+    block_ = kBlock / options.supersample;
+    lanes_by_face_ = kBlock % options.supersample == 0 && options.occlusion == Occlusion::none &&
                      model.model->mesh.triangles.size() >= kManyFaces && !model.model->normals.empty() &&
                      !model.surface.mapped() && !(options.grey && model.surface.unlit());
   }
@@ -112,96 +50,128 @@ class Painter {
   }
 
  private:
+  /// Some pixels, as many as have a lane for each of their samples.
+  struct Block {
+    int x, y;                                 ///< first pixel
+    std::size_t covered = 0;                  ///< samples that see a face; those come first below
+    std::array<std::uint8_t, kLanes> places;  ///< in the block
+    Samples samples;
+  };
+  using Seen = std::array<std::uint32_t, kLanes>;  ///< faces, by the samples' places
+
   void draw_faces(DepthBuffer const& buffer, Image& picture) const {
     if (buffer.right() < buffer.left() || buffer.bottom() < buffer.top()) return;
-    int const n = options_.supersample, top = buffer.top() / n, left = buffer.left() / n;
-    parallel_blocks(std::size_t(buffer.bottom() / n - top + 1), 16, [&](std::size_t begin, std::size_t end) {
+    int const side = block_ * options_.supersample, top = buffer.top() / side, left = buffer.left() / side;
+    parallel_blocks(std::size_t(buffer.bottom() / side - top + 1), std::size_t(16 / block_), [&](std::size_t begin, std::size_t end) {
       SeenFaces faces(model_.surface, lens_.eye);
-      for (std::size_t row = begin; row < end; ++row)
-        for (int x = left, y = top + int(row); x <= buffer.right() / n; ++x) draw_pixel(picture, x, y, buffer, faces);
+      for (int row = top + int(begin); row < top + int(end); ++row)
+        for (int column = left; column <= buffer.right() / side; ++column)
+          draw_block(picture, column * block_, row * block_, buffer, faces);
     });
   }
 
-  /// The mean of a pixel's samples, which are lit side by side.
-  void draw_pixel(Image& picture, int x, int y, DepthBuffer const& buffer, SeenFaces& faces) const {
-    int const n = options_.supersample;
-    std::array<std::uint32_t, kLanes> seen;
-    for (int i = 0; i < n * n; ++i) seen[i] = buffer.face(n * x + i % n, n * y + i / n);
-    Samples samples;
-    std::size_t const covered = lanes_by_face_ ? look_at_samples(seen, x, y, samples) : look_at_faces(seen, x, y, faces, samples);
-    if (covered == 0) return;
-    shading_at(x, y)(samples);
-    std::array<int, 4> sums;
-    sums[0] = 255 * (n * n - int(covered)) + sum_of_srgb_bytes(samples.colour[0], covered);
-    for (std::size_t k = 1; k < 3; ++k)
-      sums[k] = all_grey_ ? sums[0] : 255 * (n * n - int(covered)) + sum_of_srgb_bytes(samples.colour[k], covered);
-    sums[3] = 255 * int(covered);
-    put(picture, x, y, sums);
+  /// Pixels are the means of their samples.
+  void draw_block(Image& picture, int x, int y, DepthBuffer const& buffer, SeenFaces& faces) const {
+    int const n = options_.supersample, side = block_ * n;
+    Seen seen;
+    for (int i = 0; i < side * side; ++i) seen[i] = buffer.face(n * x + i % side, n * y + i / side);
+    Block block{x, y, 0, {}, {}};
+    if (lanes_by_face_)
+      look_at_samples(seen, block);
+    else
+      look_at_faces(seen, faces, block);
+    if (block.covered == 0) return;
+    shading_at(x, y, block_)(block.samples);
+    put(picture, block);
   }
 
-  /// Face by face; how many samples see one.
-  std::size_t look_at_faces(std::array<std::uint32_t, kLanes>& seen, int x, int y, SeenFaces& faces, Samples& samples) const {
-    std::size_t covered = 0;
-    for (int i = 0; i < options_.supersample * options_.supersample; ++i) {
-      if (seen[i] == DepthBuffer::kNothing) continue;
-      SeenFace const& face = faces[seen[i]];
-      covered = add(face, take(seen, i, x, y), samples, covered);
+  void put(Image& picture, Block const& block) const {
+    int const n = options_.supersample, side = block_ * n;
+    std::array<std::array<int, 4>, kLanes> sums;
+    sums.fill({255 * n * n, 255 * n * n, 255 * n * n, 0});
+    for (std::size_t i = 0; i < block.covered; ++i) {
+      auto& [r, g, b, covered] = sums[std::size_t(block.places[i] / side / n * block_ + block.places[i] % side / n)];
+      auto const& colour = block.samples.colour;
+      int const red = srgb_byte(colour[0][i]) - 255;
+      r += red;
+      g += all_grey_ ? red : srgb_byte(colour[1][i]) - 255;
+      b += all_grey_ ? red : srgb_byte(colour[2][i]) - 255;
+      covered += 255;
     }
-    return covered;
+    for (int i = 0; i < block_ * block_; ++i)
+      if (sums[std::size_t(i)][3] > 0) put(picture, block.x + i % block_, block.y + i / block_, sums[std::size_t(i)]);
+  }
+
+  /// Face by face.
+  void look_at_faces(Seen& seen, SeenFaces& faces, Block& block) const {
+    int const side = block_ * options_.supersample;
+    for (int i = 0; i < side * side; ++i)
+      if (seen[i] != DepthBuffer::kNothing) {
+        SeenFace const& face = faces[seen[i]];
+        add(face, take(seen, i, block), block);
+      }
   }
 
   /// Each sample with its own face.
-  std::size_t look_at_samples(std::array<std::uint32_t, kLanes> const& seen, int x, int y, Samples& samples) const {
-    int const n = options_.supersample;
+  void look_at_samples(Seen const& seen, Block& block) const {
     FaceLanes faces;
-    Lanes column{}, row{};
-    std::size_t covered = 0;
+    Rays rays;
     std::uint32_t last = DepthBuffer::kNothing;
-    for (int i = 0; i < n * n; ++i) {
+    for (int i = 0; i < int(kLanes); ++i) {
       if (seen[i] == DepthBuffer::kNothing) continue;
-      column[covered] = float(n * x + i % n), row[covered] = float(n * y + i / n);
+      block.places[rays.count] = std::uint8_t(i);
+      aim(rays, i, block);
       if (seen[i] == last) {
-        faces.repeat(covered++);
+        faces.repeat(rays.count - 1);
         continue;
       }
       last = seen[i];
-      if (!options_.grey || model_.model->materials.size() > 1) faces.set_colours(covered, model_.surface.facet(last));
-      faces.set_shape(covered++, *model_.model, last, lens_.eye);
+      if (!options_.grey || model_.model->materials.size() > 1) faces.set_colours(rays.count - 1, model_.surface.facet(last));
+      faces.set_shape(rays.count - 1, *model_.model, last, lens_.eye);
     }
-    if (covered == 0) return 0;
-    for (std::size_t i = covered; i < kLanes; ++i) faces.repeat(i);
-    faces.look(lens_, column, row, options_.grey ? std::optional(kGrey) : std::nullopt, samples);
-    return covered;
+    block.covered = rays.count;
+    if (rays.count == 0) return;
+    for (std::size_t i = rays.count; i < kLanes; ++i) faces.repeat(i), rays.column[i] = rays.row[i] = 0;
+    faces.look(lens_, rays.column, rays.row, options_.grey ? std::optional(kGrey) : std::nullopt, block.samples);
   }
 
-  /// All samples of a pixel, from the first on, that see the same face as that; they are crossed out.
-  Rays take(std::array<std::uint32_t, kLanes>& seen, int first, int x, int y) const {
-    int const n = options_.supersample;
+  /// All samples of a block, from the first on, that see the same face as that; they are crossed out.
+  Rays take(Seen& seen, int first, Block& block) const {
+    int const side = block_ * options_.supersample;
     std::uint32_t const face = seen[first];
     Rays rays;
-    for (int i = first; i < n * n; ++i) {
+    for (int i = first; i < side * side; ++i) {
       if (seen[i] != face) continue;
       seen[i] = DepthBuffer::kNothing;
-      rays.column[rays.count] = float(n * x + i % n), rays.row[rays.count++] = float(n * y + i / n);
+      block.places[block.covered + rays.count] = std::uint8_t(i);
+      aim(rays, i, block);
     }
     return rays;
   }
 
-  /// Puts samples behind those that are there; how many there are then.
-  std::size_t add(SeenFace const& seen, Rays const& rays, Samples& samples, std::size_t from) const {
+  /// One more ray, through a sample of the block.
+  void aim(Rays& rays, int place, Block const& block) const {
+    int const n = options_.supersample, side = block_ * n;
+    rays.column[rays.count] = float(n * block.x + place % side);
+    rays.row[rays.count++] = float(n * block.y + place / side);
+  }
+
+  /// Puts samples behind those that are there.
+  void add(SeenFace const& seen, Rays const& rays, Block& block) const {
     Places at;
     Lanes facing;
     seen.meet(rays, lens_, at, facing);
     SurfaceLanes surface;
     look_at(seen.facet, at, surface);
+    std::size_t const from = block.covered;
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < at.count; ++i) {
-        samples.colour[k][from + i] = surface.colour[k][i];
-        samples.normal[k][from + i] = surface.normal[k][i] * facing[i];
+        block.samples.colour[k][from + i] = surface.colour[k][i];
+        block.samples.normal[k][from + i] = surface.normal[k][i] * facing[i];
       }
-    std::copy_n(surface.occlusion.begin(), at.count, samples.open.begin() + from);
-    std::fill_n(samples.lit.begin() + from, at.count, seen.facet.material->unlit ? 0.f : 1.f);
-    return from + at.count;
+    std::copy_n(surface.occlusion.begin(), at.count, block.samples.open.begin() + from);
+    std::fill_n(block.samples.lit.begin() + from, at.count, seen.facet.material->unlit ? 0.f : 1.f);
+    block.covered += at.count;
   }
 
   /// The surface as the options want it drawn: grey in place of its colour, occluded or open.
@@ -232,7 +202,7 @@ class Painter {
         auto const hits = model_.scene.first_hits(rays);
         for (int y = top; y < std::min(top + tile, options_.size); ++y)
           for (int x = left; x < std::min(left + tile, options_.size); ++x) {
-            Shading const shading = shading_at(x, y);
+            Shading const shading = shading_at(x, y, 1);
             std::array<int, 4> sums{};
             for (int i = 0; i < n * n; ++i) {
               std::size_t const ray = std::size_t(((y - top) * n + i / n) * side + (x - left) * n + i % n);
@@ -245,10 +215,10 @@ class Painter {
     });
   }
 
-  /// All samples of a pixel are seen along the line through its middle.
-  Shading shading_at(int x, int y) const {
+  /// All samples of a square of pixels are seen along the line through its middle.
+  Shading shading_at(int x, int y, int pixels) const {
     int const n = options_.supersample;
-    float const middle = float(n - 1) / 2;
+    float const middle = float(n * pixels - 1) / 2;
     return {-lens_.direction(float(n * x) + middle, float(n * y) + middle).normalized(), to_light_};
   }
 
@@ -300,6 +270,7 @@ class Painter {
   PictureOptions options_;
   Lens lens_;
   V3f to_light_;
+  int block_;  ///< pixels of a block's side
   bool lanes_by_face_, all_grey_;
 };
 

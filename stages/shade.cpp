@@ -83,10 +83,4 @@ std::uint8_t srgb_byte(float linear) {
   return static_cast<std::uint8_t>(guess + (value >= kSrgbBytes.starts[guess + 1]));
 }
 
-int sum_of_srgb_bytes(Lanes const& linear, std::size_t count) {
-  int sum = 0;
-  for (std::size_t i = 0; i < count; ++i) sum += srgb_byte(linear[i]);
-  return sum;
-}
-
 }  // namespace vitrine

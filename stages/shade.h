@@ -41,7 +41,5 @@ class Shading {
 
 /// The byte that a client writes for a linear value: sRGB encoded, clamped, rounded.
 std::uint8_t srgb_byte(float linear);
-/// The sum of those of the first `count` lanes.
-int sum_of_srgb_bytes(Lanes const& linear, std::size_t count);
 
 }  // namespace vitrine
