@@ -29,7 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kPosterQuality = 80;
-constexpr std::size_t kSamples = 120'000;  ///< of the surface, for whatever is fitted to it
+/// Of the surface, for whatever is fitted to it: with fewer for each triangle, triangles are fitted to chance.
+constexpr double kSamplesPerByte = 10;
+constexpr double kFewestSamples = 120'000, kMostSamples = 500'000;
 /// Atlases of larger originals are those of scans: seams hold too many triangles.
 constexpr std::size_t kMostOwnTriangles = 100'000;
 constexpr double kColourWeight = 0.02;  ///< of the one coloured progression: the recipe says whether it is used
@@ -139,7 +141,8 @@ Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptio
   Reference seen = options.publish.certificate ? reference(model, measure) : viewpoints(model, measure);
   std::vector<Reference> deciding = judges(model, options);
   bool const sampled = searches(options) || options.parameterize.unfolding == Unfolding::detail;
-  SurfaceSamples samples = sampled ? sample_surface(model, kSamples) : SurfaceSamples{};
+  double const count = std::clamp(kSamplesPerByte * 1000 * options.fit.max_kb, kFewestSamples, kMostSamples);
+  SurfaceSamples samples = sampled ? sample_surface(model, std::size_t(count)) : SurfaceSamples{};
   return {std::move(model), std::move(seen), std::move(deciding), std::move(samples)};
 }
 
