@@ -54,7 +54,6 @@ class Search : private Inquiry {
                                                          {Choice::none, &Search::choose_size},
                                                          {Choice::none, &Search::choose_painting},
                                                          {Choice::none, &Search::choose_size},
-                                                         {Choice::none, &Search::choose_size},  // from nearer
                                                          {Choice::colour_edges, &Search::choose_colour_quadrics},
                                                          {Choice::none, &Search::choose_texture},
                                                          {Choice::none, &Search::choose_share},
@@ -122,7 +121,12 @@ class Search : private Inquiry {
   }
 
   /// What is best for others need not be best for files of the size that the error needs.
-  Answer choose_size() { return options_.max_error == 0 || subject_.fixed_triangles > 0 ? Answer::worse : resize(); }
+  Answer choose_size() {
+    if (options_.max_error == 0 || subject_.fixed_triangles > 0) return Answer::worse;
+    for (int nearer = 0; nearer < 2; ++nearer)
+      if (resize() == Answer::none) return Answer::none;
+    return Answer::worse;
+  }
 
   Answer choose_colour_quadrics() {
     if (!subject_.coloured || best().painting == Painting::own || is_whole(best_trial())) return Answer::worse;
