@@ -153,22 +153,32 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
     return Tried{};
   });
 
-  // The search: another shape, another texture for the same charts, or the winner. A trial that fails is one more thing
-  // that was tried.
-  using Judge =
-      flow::multifunction_node<Message<Tried>, std::tuple<Message<Tried>, Message<FlatCharts>, Message<EncodedThumbnail>>>;
+  // The search: another trial, from the first stage on that makes something new of it, or the winner. A trial that fails
+  // is one more thing that was tried.
+  using Judge = flow::multifunction_node<Message<Tried>, std::tuple<Message<EncodedThumbnail>, Message<Tried>, Message<FlatCharts>,
+                                                                    Message<Atlas>, Message<BakedModel>>>;
   Judge judge(g, flow::unlimited, [](Message<Tried> const& in, Judge::output_ports_type& out) {
     Study* const study = in.job->study ? &*in.job->study : nullptr;
     auto const* failure = std::get_if<Failure>(&in.value);
     if (study && failure) study->add_failure(*failure);
-    if (!study)
-      std::get<2>(out).try_put({in.job, *failure});
-    else if (!study->advance())
-      std::get<2>(out).try_put(win(in.job));
-    else if (std::shared_ptr<FlatCharts const> charts = study->charts())
-      std::get<1>(out).try_put({in.job, std::move(charts)});
+    if (!study) {
+      std::get<0>(out).try_put({in.job, *failure});
+      return;
+    }
+    if (!study->advance()) {
+      std::get<0>(out).try_put(win(in.job));
+      return;
+    }
+    Makings const& kept = study->makings();
+    static_cast<Made&>(in.job->row) = kept.made;
+    if (kept.baked)
+      std::get<4>(out).try_put({in.job, kept.baked});
+    else if (kept.atlas)
+      std::get<3>(out).try_put({in.job, kept.atlas});
+    else if (kept.charts)
+      std::get<2>(out).try_put({in.job, kept.charts});
     else
-      std::get<0>(out).try_put({in.job, std::make_shared<Tried const>()});
+      std::get<1>(out).try_put({in.job, std::make_shared<Tried const>()});
   });
   auto shape = node.operator()<Tried, SimplifiedMesh>(
       flow::unlimited, "shape", [](In<Tried> const&, Job& job) { return shape_model(job); });
@@ -189,9 +199,9 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   auto pack_ = node.operator()<FlatCharts, Atlas>(
       flow::unlimited, "pack", [](In<FlatCharts> const& in, Job& job) { return pack_charts(in, job); });
   auto bake_ = node.operator()<Atlas, BakedModel>(
-      flow::unlimited, "bake", [](In<Atlas> const& in, Job& job) { return bake_maps(*in, job); });
+      flow::unlimited, "bake", [](In<Atlas> const& in, Job& job) { return bake_maps(in, job); });
   auto encode = node.operator()<BakedModel, EncodedThumbnail>(
-      threads, "encode", [](In<BakedModel> const& in, Job& job) { return encode_thumbnail(*in, job); });
+      threads, "encode", [](In<BakedModel> const& in, Job& job) { return encode_thumbnail(in, job); });
   auto weigh_ = node.operator()<EncodedThumbnail, Tried>(flow::unlimited, "weigh", [](In<EncodedThumbnail> const& in, Job& job) {
     weigh(in, job);
     return Tried{};
@@ -219,8 +229,11 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   flow::make_edge(load, survey_);
   flow::make_edge(survey_, simplify_);
   flow::make_edge(simplify_, judge);
-  flow::make_edge(flow::output_port<0>(judge), shape);
-  flow::make_edge(flow::output_port<1>(judge), pack_);
+  flow::make_edge(flow::output_port<0>(judge), certify_);
+  flow::make_edge(flow::output_port<1>(judge), shape);
+  flow::make_edge(flow::output_port<2>(judge), pack_);
+  flow::make_edge(flow::output_port<3>(judge), bake_);
+  flow::make_edge(flow::output_port<4>(judge), encode);
   flow::make_edge(shape, fork);
   flow::make_edge(flow::output_port<0>(fork), paint_);
   flow::make_edge(paint_, encode);
@@ -231,7 +244,6 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   flow::make_edge(bake_, encode);
   flow::make_edge(encode, weigh_);
   flow::make_edge(weigh_, judge);
-  flow::make_edge(flow::output_port<2>(judge), certify_);
   flow::make_edge(certify_, publish);
   flow::make_edge(publish, report);
   flow::make_edge(report, admit);  // memory given back

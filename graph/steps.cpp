@@ -232,7 +232,7 @@ FlatCharts flatten_charts(ChartedMesh const& charts, Job& job) {
 }
 
 Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job) {
-  job.study->keep(flat);
+  job.study->makings().charts = flat;
   Atlas atlas = pack(*flat, job.study->options().pack);
   job.row.charts = atlas.charts;
   job.row.chart_retries = flat->retries;
@@ -240,20 +240,22 @@ Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job) {
   return atlas;
 }
 
-BakedModel bake_maps(Atlas const& atlas, Job& job) {
+BakedModel bake_maps(std::shared_ptr<Atlas const> const& atlas, Job& job) {
+  job.study->makings().atlas = atlas;
   ModelOptions const& options = job.study->options();
   BakeOptions wanted = options.bake;
   wanted.derived_normals = options.encode.x3dom;
-  BakedModel baked = bake(quantize(atlas, options.quantize), job.original->model, wanted);
+  BakedModel baked = bake(quantize(*atlas, options.quantize), job.original->model, wanted);
   job.row.bake = baked.statistics;
   return baked;
 }
 
-EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
+EncodedThumbnail encode_thumbnail(std::shared_ptr<BakedModel const> const& baked, Job& job) {
+  job.study->makings().baked = baked;
   ModelOptions const& options = job.study->options();
   Recipe const& recipe = job.study->recipe();
   std::size_t const most = !job.levels->fixed && is_filled(recipe) ? std::size_t(recipe.ceiling) : io::kAnySize;
-  EncodedThumbnail thumbnail = io::encode(baked, job.row.title, options.encode, most);
+  EncodedThumbnail thumbnail = io::encode(*baked, job.row.title, options.encode, most);
   io::garble("result", job.entry->path, thumbnail.glb);
   ModelRow& row = job.row;
   row.triangles = thumbnail.triangles;
@@ -261,7 +263,7 @@ EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job) {
   row.bytes = {thumbnail.glb.size(), thumbnail.geometry,  thumbnail.colour,
                thumbnail.normal,     thumbnail.occlusion, thumbnail.other};
   row.x3d_bytes = thumbnail.x3d_zip.size();
-  if (thumbnail.normal_map) row.normal_angle = angle_error(*baked.normal, *thumbnail.normal_map);
+  if (thumbnail.normal_map) row.normal_angle = angle_error(*baked->normal, *thumbnail.normal_map);
   return thumbnail;
 }
 

@@ -31,8 +31,8 @@ SimplifiedMesh shape_model(Job& job);
 BakedModel paint_model(SimplifiedMesh const& light, Job& job);
 FlatCharts flatten_charts(ChartedMesh const& charts, Job& job);
 Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job);
-BakedModel bake_maps(Atlas const& atlas, Job& job);
-EncodedThumbnail encode_thumbnail(BakedModel const& baked, Job& job);
+BakedModel bake_maps(std::shared_ptr<Atlas const> const& atlas, Job& job);
+EncodedThumbnail encode_thumbnail(std::shared_ptr<BakedModel const> const& baked, Job& job);
 /// Decodes the file as a client does, draws it, and enters it into the study.
 void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job);
 

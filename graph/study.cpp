@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/study.h"
 
+#include "stages/byte_model.h"
+
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace vitrine::graph {
@@ -39,35 +40,31 @@ bool Study::advance() {
   std::optional<Recipe> const next = next_trial(subject_, options_.fit, history_);
   if (!next) return false;
   recipe_ = *next;
+  makings_ = best_makings_.shared_with(recipe_);
   trial_options_ = with_recipe(options_, recipe_);
-  if (int const quality = last_quality(); recipe_.map_quality == 0 && quality > 0) trial_options_.encode.colour_quality = quality;
+  if (int const quality = first_quality(); is_filled(recipe_) && quality > 0) trial_options_.encode.colour_quality = quality;
   return true;
 }
 
-/// Of the last map in the recipe's coding: where the next one's is looked for first.
-int Study::last_quality() const {
-  for (std::size_t i = made_.size(); i-- > 0;)
-    if (made_[i].file && history_[i].recipe.avif == recipe_.avif && made_[i].file->colour_quality > 0) return made_[i].file->colour_quality;
+/// Where the quality of the recipe's map is looked for first; 0 where no map in its coding was made yet.
+int Study::first_quality() const {
+  for (std::size_t i = history_.size(); i-- > 0;)
+    if (history_[i].map_quality > 0 && history_[i].recipe.avif == recipe_.avif) return likely_quality(recipe_, history_[i]);
   return 0;
 }
 
 bool Study::wants_atlas() const { return !searches(options_) || recipe_.painting == Painting::map; }
-
-void Study::keep(std::shared_ptr<FlatCharts const> charts) {
-  charts_ = std::move(charts);
-  charts_recipe_ = recipe_;
-}
-
-std::shared_ptr<FlatCharts const> Study::charts() const {
-  auto const shape = [](Recipe const& r) { return std::tuple(r.triangles, r.colour_weight, r.shading, r.unfolding); };
-  return wants_atlas() && charts_ && shape(charts_recipe_) == shape(recipe_) ? charts_ : nullptr;
-}
 
 void Study::add(Made const& made, std::shared_ptr<EncodedThumbnail const> file, double error, double score) {
   std::size_t const maps = made.bytes.colour + made.bytes.normal + made.bytes.occlusion;
   history_.push_back({recipe_, made.bytes.total, maps, file->colour_quality, error, score});
   made_.push_back({made, std::move(file)});
   if (!searches(options_)) return;
+  if (score < best_score_) {
+    best_score_ = score;
+    best_makings_ = std::move(makings_);
+    best_makings_.made = made;
+  }
   made_.back().made.recipe = recipe_;
   made_.back().made.map_quality = made_.back().file->colour_quality;
 }

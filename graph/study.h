@@ -2,11 +2,13 @@
 #pragma once
 /// One model's search: what was tried so far, and what comes next. The loop edge of the graph carries it along.
 
+#include "graph/makings.h"
 #include "graph/options.h"
 #include "graph/report.h"
 #include "stages/fit.h"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -21,10 +23,8 @@ class Study {
   Recipe const& recipe() const { return recipe_; }
   bool wants_atlas() const;  ///< else colours per vertex, or none
 
-  /// Charts are kept for further trials over the same shape.
-  void keep(std::shared_ptr<FlatCharts const> charts);
-  /// The kept charts, where they fit this trial; else null.
-  std::shared_ptr<FlatCharts const> charts() const;
+  /// Of this trial: to begin with what it shares with the best one so far. The stages add theirs.
+  Makings& makings() { return makings_; }
   ModelOptions const& options() const { return trial_options_; }
 
   /// The trial's result. `error` and `score` as in Trial.
@@ -43,15 +43,15 @@ class Study {
   Winner const& winner() const;
 
  private:
-  int last_quality() const;
+  int first_quality() const;
 
   Subject subject_;
   ModelOptions options_, trial_options_;
   Recipe recipe_;
   std::vector<Trial> history_;
   std::vector<Winner> made_;  ///< per trial; without a file where it failed
-  std::shared_ptr<FlatCharts const> charts_;
-  Recipe charts_recipe_;
+  Makings makings_, best_makings_;
+  double best_score_ = std::numeric_limits<double>::infinity();
   Failure last_failure_;
 };
 

@@ -31,41 +31,45 @@ ImageQuality wanted(EncodeOptions const& options) {
   return {codec_asked_for(options.colour_codec).value_or(usual), options.colour_quality};
 }
 
-/// What code_colour() gives, or a little more.
-CodedColour try_colour(Image const& map, EncodeOptions const& options) {
-  return {encode_image(map, wanted(options)), options.colour_quality};
-}
-
-/// The logarithm of the bytes rises with the quality about as a line does.
+/// The logarithm of the bytes rises with the quality about as a line does: the next quality is where the line through
+/// the last two meets the room.
 CodedColour largest_within(std::size_t room, Image const& map, EncodeOptions options) {
   constexpr int kLowest = 5, kHighest = 95;
-  constexpr double kRise = 0.025, kNear = 0.975;
+  constexpr double kAim = 0.9875, kNear = 0.975;                       // of the room
+  constexpr double kUsualRise = 0.02, kLeastRise = 0.005, kMostRise = 0.1;  // of the logarithm
+  struct Point {
+    int quality;
+    double filled;  ///< logarithm of the share of the room
+  };
+  std::optional<Point> before;
   std::optional<CodedColour> best;
   for (int low = kLowest, high = kHighest;;) {
     options.colour_quality = std::clamp(options.colour_quality, low, high);
-    CodedColour coded = try_colour(map, options);
-    double const filled = double(coded.image.bytes.size()) / double(std::max<std::size_t>(room, 1));
-    bool const fits = filled <= 1;
-    (fits ? low : high) = coded.quality + (fits ? 1 : -1);
-    options.colour_quality += int(std::lround(-std::log(filled / kNear) / kRise));
-    if (fits || coded.quality == kLowest) best = std::move(coded);
-    if (low > high || (fits && filled >= kNear)) return *std::move(best);
+    CodedColour coded{encode_image(map, wanted(options)), options.colour_quality};
+    Point const here{coded.quality, std::log(double(coded.image.bytes.size()) / double(std::max<std::size_t>(room, 1)))};
+    bool const fits = here.filled <= 0;
+    (fits ? low : high) = here.quality + (fits ? 1 : -1);
+    if (fits || here.quality == kLowest) best = std::move(coded);
+    if (low > high || (fits && here.filled >= std::log(kNear))) return *std::move(best);
+    double const rise = before ? (here.filled - before->filled) / (here.quality - before->quality) : kUsualRise;
+    options.colour_quality +=
+        int(std::lround((std::log(kAim) - here.filled) / std::clamp(rise, kLeastRise, kMostRise)));
+    before = here;
   }
 }
 
 }  // namespace
 
 CodedColour code_colour(Image const& map, EncodeOptions const& options) {
-  bool const asked = codec_asked_for(options.colour_codec).has_value();
-  return {asked ? encode_image(map, wanted(options)) : encode_map(map, wanted(options)), options.colour_quality};
+  EncodedImage coded = encode_image(map, wanted(options));
+  if (!codec_asked_for(options.colour_codec)) coded = nearer_coding(map, std::move(coded));
+  return {std::move(coded), options.colour_quality};
 }
 
 CodedColour code_colour_within(std::size_t room, Image const& map, EncodeOptions const& options) {
   CodedColour coded = largest_within(room, map, options);
-  if (codec_asked_for(options.colour_codec)) return coded;
-  EncodeOptions found = options;
-  found.colour_quality = coded.quality;
-  return code_colour(map, found);
+  if (!codec_asked_for(options.colour_codec)) coded.image = nearer_coding(map, std::move(coded.image));
+  return coded;
 }
 
 }  // namespace vitrine::io

@@ -38,8 +38,11 @@ std::optional<EncodedImage> full_chroma_within(std::size_t budget, Image const& 
 }  // namespace
 
 EncodedImage encode_map(Image const& map, ImageQuality const& quality) {
-  EncodedImage coded = encode_image(map, quality);
-  if (map.channels != 3 || quality.codec == ImageCodec::png || quality.codec == ImageCodec::avif) return coded;
+  return nearer_coding(map, encode_image(map, quality));
+}
+
+EncodedImage nearer_coding(Image const& map, EncodedImage coded) {
+  if (map.channels != 3 || (coded.mime != "image/webp" && coded.mime != "image/jpeg")) return coded;
   double const reached = error(map, coded);
   if (halved_chroma_error(map) < reached / 3) return coded;
   std::optional<EncodedImage> rival = full_chroma_within(coded.bytes.size(), map);

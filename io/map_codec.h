@@ -12,4 +12,7 @@ namespace vitrine::io {
 /// has full chroma of its own: it is written as asked for.
 EncodedImage encode_map(Image const& map, ImageQuality const& quality);
 
+/// The same for a map that is coded already.
+EncodedImage nearer_coding(Image const& map, EncodedImage coded);
+
 }  // namespace vitrine::io

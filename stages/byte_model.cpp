@@ -10,6 +10,8 @@ namespace {
 /// A vertex for every two triangles, and all of its bits are noise beyond the first few.
 constexpr double kBytesPerBit = 3.0 / 8 / 2;
 
+constexpr double kBitsAtNone = 0.25, kBitsPerQuality = 0.009;  ///< of a texel
+
 double expected_bytes_per_triangle(Recipe const& recipe) {
   double bytes = kBytesPerBit * (recipe.position_bits - 3.7);
   if (recipe.shading == Shading::smooth) bytes += 0.45;
@@ -25,7 +27,16 @@ double expected_map_bytes(Recipe const& recipe) {
 
 }  // namespace
 
-double expected_bytes_per_texel(int map_quality) { return (0.25 + 0.009 * map_quality) / 8; }
+double expected_bytes_per_texel(int map_quality) { return (kBitsAtNone + kBitsPerQuality * map_quality) / 8; }
+
+int likely_quality(Recipe const& recipe, Trial const& like) {
+  double const geometry = bytes_per_triangle(like) * relative_size(recipe, like.recipe) * recipe.triangles;
+  double const room = std::max(1.0, recipe.ceiling - kHeaderBytes - geometry);
+  double const texels = double(recipe.texture) / like.recipe.texture;
+  double const more = room / double(std::max<std::size_t>(like.map_bytes, 1)) / (texels * texels);
+  double const bits = 8 * expected_bytes_per_texel(like.map_quality) * more;
+  return int(std::clamp((bits - kBitsAtNone) / kBitsPerQuality, 5.0, 95.0));
+}
 
 double bytes_per_triangle(Trial const& trial) {
   double const geometry = double(trial.bytes) - double(trial.map_bytes) - kHeaderBytes;

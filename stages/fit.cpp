@@ -6,6 +6,7 @@
 #include "stages/inquiry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -16,6 +17,7 @@ namespace {
 constexpr int kUsualQuality = 50;              ///< of a map that does not fill its ceiling, to begin with
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
 constexpr int kFineBits = 13;                  ///< of a place, where there is room for all triangles
+constexpr double kClearly = 0.1;               ///< of the cost's logarithm: what loses by more is not asked again
 
 /// What the winner has the least of.
 double rank(Subject const& subject, FitOptions const& options, Trial const& trial) {
@@ -57,13 +59,13 @@ class Search : private Inquiry {
                                                          {Choice::colour_edges, &Search::choose_colour_quadrics},
                                                          {Choice::none, &Search::choose_texture},
                                                          {Choice::none, &Search::choose_share},
-                                                         {Choice::avif, &Search::choose_coding},
                                                          {Choice::none, &Search::choose_quality},
                                                          {Choice::unfolding, &Search::choose_unfolding},
                                                          {Choice::normals, &Search::choose_shading},
                                                          {Choice::bits, &Search::choose_bits},
                                                          {Choice::normals, &Search::reconsider_shading},
-                                                         {Choice::colours, &Search::choose_colours}};
+                                                         {Choice::colours, &Search::choose_colours},
+                                                         {Choice::avif, &Search::choose_coding}};
     for (auto const& [choice, question] : questions)
       if (!is_left_out(choice) && (this->*question)() == Answer::none) return Answer::none;
     return Answer::worse;
@@ -109,14 +111,17 @@ class Search : private Inquiry {
     recipe.painting = painting;
     recipe.texture = first_texture();
     bool const smooth_first = painting == Painting::own;
+    std::array<double, 2> costs{};
     for (Shading shading :
          {smooth_first ? Shading::smooth : Shading::facets, smooth_first ? Shading::facets : Shading::smooth}) {
       if (shading == Shading::smooth && is_left_out(Choice::normals)) continue;
       recipe.shading = shading;
       if (ask(recipe) == Answer::none) return Answer::none;
+      costs[std::size_t(shading)] = last_cost();
       if (last_was_hopeless()) break;
       recipe = asked();  // its size of the map
     }
+    normals_lost_[std::size_t(painting)] = costs[std::size_t(Shading::smooth)] > costs[std::size_t(Shading::facets)] + kClearly;
     return Answer::worse;
   }
 
@@ -129,7 +134,8 @@ class Search : private Inquiry {
   }
 
   Answer choose_colour_quadrics() {
-    if (!subject_.coloured || best().painting == Painting::own || is_whole(best_trial())) return Answer::worse;
+    bool const in_vertices = subject_.coloured && !is_textured(best());
+    if (!in_vertices || is_whole(best_trial())) return Answer::worse;
     return ask_with([](Recipe& r) { r.colour_weight = 0.02; });
   }
 
@@ -174,6 +180,7 @@ class Search : private Inquiry {
   /// Many facets shade better than fewer smooth triangles, up to some size of the file.
   Answer choose_shading() {
     if ((aim() < 7000 && !is_whole(best_trial())) || best().shading == Shading::smooth) return Answer::worse;
+    if (normals_lost_[std::size_t(best().painting)]) return Answer::worse;
     return ask_with([](Recipe& r) { r.shading = Shading::smooth; });
   }
 
@@ -186,7 +193,8 @@ class Search : private Inquiry {
     constexpr int steps = kMostBits - kLeastBits;
     Change const fewer = [](Recipe& r) { r.position_bits = std::max(r.position_bits - 1, kLeastBits); };
     Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kMostBits); };
-    return aim() < 11000 ? walk(&Search::ask, fewer, more, steps) : walk(&Search::ask, more, fewer, steps);
+    auto const question = is_filled(best()) ? &Search::ask_as_it_is : &Search::ask;
+    return aim() < 11000 ? walk(question, fewer, more, steps) : walk(question, more, fewer, steps);
   }
 
   Answer choose_colours() {
@@ -199,6 +207,7 @@ class Search : private Inquiry {
   }
 
   Subject subject_;
+  std::array<bool, EnumNames<Painting>::names.size()> normals_lost_{};  ///< against facets, clearly
   FitOptions options_;
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kFill = 0.975;      ///< of the ceiling: what explorations aim for
 constexpr double kFirstKb = 8;       ///< where a search by error begins
 constexpr double kMiss = 0.12;       ///< relative: a trial this far from what was aimed at is asked again
+constexpr double kSame = 0.02;       ///< relative: between numbers of triangles
 constexpr double kHopeless = 0.7;    ///< in the cost's logarithm
 constexpr int kSmallestFile = 1000;  ///< bytes
 constexpr int kLargestTexture = 8192;
@@ -164,7 +165,11 @@ bool Inquiry::is_like(Trial const& trial) const {
 
 bool Inquiry::is_tried(Recipe const& recipe) const {
   auto const tried = history_.first(answered_);
-  return std::any_of(tried.begin(), tried.end(), [&](Trial const& trial) { return trial.recipe == recipe; });
+  return std::any_of(tried.begin(), tried.end(), [&](Trial const& trial) {
+    Recipe alike = trial.recipe;
+    if (std::abs(alike.triangles - recipe.triangles) <= kSame * recipe.triangles) alike.triangles = recipe.triangles;
+    return alike == recipe;
+  });
 }
 
 Inquiry::Answer Inquiry::resize() {

@@ -50,6 +50,7 @@ class Inquiry {
   bool is_whole(Trial const& trial) const { return trial.recipe.triangles >= most(); }
   /// So much worse than the best one that it is not asked again.
   bool is_hopeless(Trial const& trial) const;
+  double last_cost() const { return cost(history_[answered_ - 1]); }
   bool last_was_hopeless() const { return is_hopeless(history_[answered_ - 1]); }
 
  private:
@@ -60,6 +61,7 @@ class Inquiry {
   double cost(Trial const& trial) const;
   Recipe of_extent(int wanted) const;
   bool is_like(Trial const& trial) const;
+  /// With as many triangles, nearly.
   bool is_tried(Recipe const& recipe) const;
 
   Subject subject_;

@@ -80,6 +80,35 @@ TEST(Fit, UsesNormalsOnlyWhereTheyPay) {
   EXPECT_EQ(winner(kPlain, {.max_kb = 24}, {}).recipe.shading, Shading::facets);
 }
 
+TEST(Fit, AsksNoNearlySameRecipeTwice) {
+  World facets_win;
+  facets_win.penalty = [](Recipe const& r) { return r.shading == Shading::smooth ? 2.0 : 1.0; };
+  for (Subject const& subject : {kPlain, kPainted, kPhoto}) {
+    std::vector<Trial> const history = search(subject, {.max_kb = 16}, facets_win);
+    std::size_t const explored = history.size() - (is_filled(history.back().recipe) ? 0 : 6);  // land() may come close
+    for (std::size_t i = 0; i < explored; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        Recipe alike = history[j].recipe;
+        if (std::abs(alike.triangles - history[i].recipe.triangles) < 0.01 * alike.triangles)
+          alike.triangles = history[i].recipe.triangles;
+        EXPECT_NE(alike, history[i].recipe) << i << " and " << j;
+      }
+  }
+}
+
+TEST(Fit, AsksOfNormalsOverAMapOnceWhereTheyLose) {
+  World facets_win;
+  facets_win.penalty = [](Recipe const& r) {
+    return (r.painting == Painting::map ? 0.2 : 1) * (r.shading == Shading::smooth ? 2 : 1);
+  };
+  auto const history = search(kPhoto, {.max_kb = 16}, facets_win);
+  auto const unfolded = std::ranges::find(history, Unfolding::rigid, [](Trial const& t) { return t.recipe.unfolding; });
+  auto const smooth = [](Trial const& t) { return t.recipe.painting == Painting::map && t.recipe.shading == Shading::smooth; };
+  ASSERT_NE(unfolded, history.end());
+  EXPECT_TRUE(std::any_of(history.begin(), unfolded, smooth));
+  EXPECT_FALSE(std::any_of(unfolded, history.end(), smooth));
+}
+
 TEST(Fit, SpendsOnTheMapWhatTheOriginalsFewTrianglesLeave) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 256.0 / r.texture : 4; };
