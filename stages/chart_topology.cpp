@@ -91,7 +91,7 @@ std::size_t count_vertices(std::span<Triangle const> triangles) {
   std::vector<std::uint32_t> vertices;
   for (Triangle const& t : triangles) vertices.insert(vertices.end(), t.begin(), t.end());
   std::ranges::sort(vertices);
-  return std::size_t(std::ranges::unique(vertices).begin() - vertices.begin());
+  return std::size_t(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
 }
 
 std::string name(HalfEdge const& h) { return std::to_string(h.low) + "-" + std::to_string(h.high); }
@@ -253,7 +253,7 @@ TriMesh submesh(TriMesh const& mesh, std::span<std::uint32_t const> faces) {
   std::vector<std::uint32_t> vertices;
   for (std::uint32_t f : faces) vertices.insert(vertices.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
   std::ranges::sort(vertices);
-  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   TriMesh part;
   for (std::uint32_t v : vertices) part.positions.push_back(mesh.positions[v]);
   for (std::uint32_t f : faces) {

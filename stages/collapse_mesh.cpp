@@ -82,7 +82,7 @@ CollapseMesh::Junction CollapseMesh::junction(Index a, Index b) {
     auto const [c, d] = others(f, a);
     if (c == b || d == b || !neighbour(c)->faces_of_other || !neighbour(d)->faces_of_other) return;
     bool const tangled = neighbour(c)->is_tangled() || neighbour(d)->is_tangled();
-    for_faces(b, [&](Index g) {
+    for_faces(b, [&, c = c, d = d](Index g) {
       if (!has(g, c) || !has(g, d)) return;
       keeps = keeps && tangled;
       ++closing;
@@ -101,7 +101,7 @@ bool CollapseMesh::keeps_shape(Index a, Index b, V3f const& target, double least
     V3d const p = position(from), edge = position(r) - position(q);
     V3d const before = edge.cross(p - position(q)), after = edge.cross(to - position(q));
     double const before2 = before.length2(), after2 = after.length2(), dot = before.dot(after);
-    auto longest2 = [&](V3d const& corner) {
+    auto longest2 = [&, q = q, r = r](V3d const& corner) {
       return std::max({edge.length2(), (corner - position(q)).length2(), (corner - position(r)).length2()});
     };
     double const was = longest2(p), is = longest2(to);

@@ -111,16 +111,15 @@ void Collapser<Q>::add_face_plane(Index f) {
 }
 
 template <class Q>
-void Collapser<Q>::add_face_colours(Index f, VertexColours const& colours)
-  requires std::same_as<Q, ColourQuadric>
-{
+void Collapser<Q>::add_face_colours(Index f, VertexColours const& colours) {
   std::array<V3d, 3> places, values;
   for (int k = 0; k < 3; ++k) {
     places[k] = mesh_.position(mesh_.face(f)[k]);
     values[k] = V3d(colours.values[mesh_.face(f)[k]]) * (colours.weight * mesh_.diagonal() / 2);
   }
   double const area = (places[1] - places[0]).cross(places[2] - places[0]).length() / 2;
-  for (Index v : mesh_.face(f)) quadrics_[v].add_colours(places, values, area);
+  for (Index v : mesh_.face(f))
+    if constexpr (std::same_as<Q, ColourQuadric>) quadrics_[v].add_colours(places, values, area);
 }
 
 /// Planes through boundaries and non-manifold edges, perpendicular to the faces there: they hold the edges in place.

@@ -77,8 +77,7 @@ class Collapser {
   };
 
   void add_face_plane(Index f);
-  void add_face_colours(Index f, VertexColours const& colours)
-    requires std::same_as<Q, ColourQuadric>;
+  void add_face_colours(Index f, VertexColours const& colours);
   void add_edge_planes(Index v);
   void push_all();
   bool next_pass();

@@ -18,7 +18,7 @@ constexpr double kLongest = 1.5;  ///< of a chart, as a share of the side of a s
 template <class T>
 void sort_unique(std::vector<T>& values) {
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 template <class T>

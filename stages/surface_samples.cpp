@@ -84,7 +84,7 @@ void sample_lines(TriMesh const& mesh, double step, std::size_t most, SurfaceSam
   for (Line const& line : all) length += line.length;
   Pacer pacer(std::max(step, length / double(most)));
   for (auto const& [from, to, size, normal] : all)
-    pacer.walk(size, [&](float share) {
+    pacer.walk(size, [&, from = from, to = to, normal = normal](float share) {
       V3f const point = from + (to - from) * share;
       if (normal == V3f(0))
         samples.outline.push_back(point);
