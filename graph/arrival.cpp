@@ -4,19 +4,16 @@
 #include <algorithm>
 
 namespace vitrine::graph {
-namespace {
-
-std::uint64_t memory_of(io::Estimate const& estimate, ClusterOptions const& options) {
-  bool const thinned = estimate.thinned > 0 && estimate.triangles > std::uint64_t(options.above);
-  return thinned ? std::min(estimate.thinned, estimate.memory) : estimate.memory;
-}
-
-}  // namespace
-
 std::string title_of(io::ArchiveEntry const& entry) {
   auto const title = entry.metadata.find("title");
   bool const titled = title != entry.metadata.end() && !title->second.empty();
   return titled ? title->second : std::filesystem::path(entry.path).stem().string();
+}
+
+std::uint64_t memory_of(io::ArchiveEntry const& entry, ClusterOptions const& clusters) {
+  io::Estimate const& estimate = entry.estimate;
+  bool const thinned = estimate.thinned > 0 && estimate.triangles > std::uint64_t(clusters.above);
+  return thinned ? std::min(estimate.thinned, estimate.memory) : estimate.memory;
 }
 
 ModelRow arriving(io::ArchiveEntry const& entry, ClusterOptions const& clusters) {
@@ -31,7 +28,7 @@ ModelRow arriving(io::ArchiveEntry const& entry, ClusterOptions const& clusters)
 void refresh(ModelRow& row, io::ArchiveEntry const& entry, ClusterOptions const& clusters) {
   row.input = entry.path;
   row.metadata = entry.metadata;
-  row.memory = memory_of(entry.estimate, clusters);
+  row.memory = memory_of(entry, clusters);
 }
 
 }  // namespace vitrine::graph

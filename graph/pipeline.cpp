@@ -37,12 +37,14 @@ using In = std::shared_ptr<T const>;
 // ---- Before and after
 // -------------------------------------------------------------------------------------------------
 
-JobPtr arrive(io::ArchiveEntry const& entry, ModelOptions const& options, RunOptions const& run) {
+JobPtr arrive(io::Archive const& archive, std::size_t number, ModelOptions const& options, RunOptions const& run) {
   auto job = std::make_shared<Job>();
-  job->entry = &entry;
+  job->entry = &archive.entries[number];
+  job->number = number;
   job->run = &run;
-  job->row = arriving(entry, options.cluster);
+  job->row = arriving(*job->entry, options.cluster);
   job->memory = job->row.memory;
+  job->admitted = job->ready = Trace::Clock::now();
   return job;
 }
 
@@ -85,8 +87,7 @@ Message<EncodedThumbnail> win(JobPtr const& job) {
 // ---- The graph: order, concurrency and the bound on memory
 // ------------------------------------------------------------
 
-std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOptions const& run,
-                                   Watcher const& finished) {
+void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOptions const& run, Watcher const& finished) {
   std::size_t const threads =
       run.threads > 0 ? std::size_t(run.threads) : std::size_t(tbb::info::default_concurrency());
   std::uint64_t const allowed = run.memory ? run.memory : default_memory();
@@ -96,13 +97,10 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   struct Left {
     std::uint64_t memory;
   };  // a model is out of the graph: what it held is free again
-  using Event = std::variant<JobPtr, Left>;
+  using Event = std::variant<std::size_t, Left>;  // the number: of an entry that is to come in
   using Gate = flow::multifunction_node<Event, std::tuple<Message<Admitted>>>;
 
-  std::vector<ModelRow> rows(archive.entries.size());
-  std::vector<JobPtr> waiting(archive.entries.size());
   Admission admission(memory, run.models > 0 ? run.models : 2 * threads);
-  auto const number = [&](JobPtr const& job) { return std::size_t(job->entry - archive.entries.data()); };
 
   Meter meter(threads, allowed, kProgramMemory);
   std::optional<Trace> trace;
@@ -114,7 +112,7 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   };
 
   flow::input_node<Event> discover(g, [&, next = std::size_t{0}](tbb::flow_control& control) mutable -> Event {
-    if (next < archive.entries.size()) return arrive(archive.entries[next++], options, run);
+    if (next < archive.entries.size()) return next++;
     control.stop();
     return {};
   });
@@ -122,19 +120,19 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
     if (auto const* left = std::get_if<Left>(&event)) {
       admission.release(left->memory);
     } else {
-      JobPtr const& job = std::get<JobPtr>(event);
-      if (!admission.fits_at_all(job->memory)) job->memory = 0;  // only its refusal passes through
-      waiting[number(job)] = job;
-      admission.wait(number(job), job->memory);
+      std::size_t const id = std::get<std::size_t>(event);
+      std::uint64_t const needed = memory_of(archive.entries[id], options.cluster);
+      admission.wait(id, admission.fits_at_all(needed) ? needed : 0);  // only its refusal passes through
     }
     for (std::size_t id : admission.admit()) {
-      JobPtr job = std::move(waiting[id]);
-      job->number = id;
+      JobPtr const job = arrive(archive, id, options, run);
       job->meter = &meter;
       job->trace = trace ? &*trace : nullptr;
-      job->admitted = job->ready = Trace::Clock::now();
       Message<Admitted> message{job, std::make_shared<Admitted const>()};
-      if (job->memory == 0) message.value = too_large(job->row.memory + kProgramMemory, allowed);
+      if (!admission.fits_at_all(job->memory)) {
+        message.value = too_large(job->memory + kProgramMemory, allowed);
+        job->memory = 0;
+      }
       if (run.stop.stop_requested()) message.value = kStopped;
       std::get<0>(out).try_put(message);
     }
@@ -214,15 +212,14 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
     publish_model(*in, options, run.gallery, job);
     return Published{};
   });
-  flow::function_node<Message<Published>, Event> report(g, flow::serial,
-                                                        [&](Message<Published> const& message) -> Event {
-                                                          std::size_t const id = number(message.job);
-                                                          rows[id] = finish(message);
-                                                          if (trace) trace->model(id, rows[id].input, message.job->admitted, Trace::Clock::now());
-                                                          if (finished) finished(rows[id], id);
-                                                          if (run.occupied) run.occupied(meter.take());
-                                                          return Left{message.job->memory};
-                                                        });
+  flow::function_node<Message<Published>, Event> report(g, flow::serial, [&](Message<Published> const& message) -> Event {
+    ModelRow const row = finish(message);
+    Job const& job = *message.job;
+    if (trace) trace->model(job.number, row.input, job.admitted, Trace::Clock::now());
+    finished(row, job.number);
+    if (run.occupied) run.occupied(meter.take());
+    return Left{job.memory};
+  });
 
   flow::make_edge(discover, admit);
   flow::make_edge(flow::output_port<0>(admit), load);
@@ -250,7 +247,6 @@ std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions cons
   discover.activate();
   g.wait_for_all();
   if (trace) io::publish_file(run.trace, trace->json());
-  return rows;
 }
 
 }  // namespace vitrine::graph

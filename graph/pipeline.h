@@ -6,8 +6,8 @@
 #include "graph/report.h"
 #include "io/archive.h"
 
+#include <cstddef>
 #include <functional>
-#include <vector>
 
 namespace vitrine::graph {
 
@@ -15,9 +15,8 @@ namespace vitrine::graph {
 using Watcher = std::function<void(ModelRow const& row, std::size_t entry)>;
 
 /// Converts every entry of the archive and publishes GALLERY/models/<slug>/ with thumb.glb, poster.jpg and certificate.json.
-/// Returns one row per entry, in the archive's order; a model that fails costs its row and nothing else.
+/// `finished` hears of each entry once, as it is done; nothing of it is kept. A model that fails costs its row and nothing else.
 /// The same bytes for the same archive and options, at any number of threads.
-std::vector<ModelRow> run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOptions const& run,
-                                   Watcher const& finished = {});
+void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOptions const& run, Watcher const& finished);
 
 }  // namespace vitrine::graph

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the objects of the sample archive become: the numbers of tests/golden/sample.tsv, within a twentieth.
 // To bless a change: VITRINE_BLESS=1 ctest -R golden, and read the diff.
-#include "graph/pipeline.h"
 #include "tests/support/folders.h"
+#include "tests/support/rows.h"
 #include "tools/sample/write.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr std::uint32_t kSeed = 7;
 /// With fixed counts and with the search, as `options` say.
 std::vector<graph::ModelRow> convert_sample(std::filesystem::path const& folder, graph::ModelOptions options) {
   options.publish.certificate = false;
-  return graph::run_pipeline(io::read_archive(folder / "archive"), options, {0, 0, folder / "gallery"});
+  return test::converted(io::read_archive(folder / "archive"), options, {0, 0, folder / "gallery"});
 }
 
 graph::ModelOptions fixed_counts() {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Promises of the whole graph over small archives that each test writes.
-#include "graph/pipeline.h"
 #include "graph/preset.h"
 #include "tests/support/folders.h"
 #include "tests/support/meshes.h"
+#include "tests/support/rows.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -38,7 +38,7 @@ class Pipeline : public testing::Test {
 
   std::vector<ModelRow> run(io::Archive const& archive, std::string const& gallery = "gallery", int threads = 2,
                             std::uint64_t memory = 0, ModelOptions const& options = small_thumbnails()) {
-    return run_pipeline(archive, options, {threads, memory, folder_.path() / gallery});
+    return test::converted(archive, options, {threads, memory, folder_.path() / gallery});
   }
   std::string file(std::string const& path, std::string const& gallery = "gallery") {
     return test::read_file(folder_.path() / gallery / path);

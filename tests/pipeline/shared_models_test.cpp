@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Real models, whole and broken, through the whole graph; skipped where they are not beside the repository.
-#include "graph/pipeline.h"
 #include "tests/support/folders.h"
+#include "tests/support/rows.h"
 
 #include <gmock/gmock.h>
 
@@ -18,7 +18,7 @@ std::map<std::string, ModelRow> convert(std::filesystem::path const& archive, st
   std::map<std::string, ModelRow> rows;
   io::ArchiveOptions options;
   options.exclude = std::move(exclude);
-  for (ModelRow const& row : run_pipeline(io::read_archive(archive, options), model, {0, 0, gallery.path()}))
+  for (ModelRow const& row : test::converted(io::read_archive(archive, options), model, {0, 0, gallery.path()}))
     rows[row.input] = row;
   return rows;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/trace.h"
 
-#include "graph/pipeline.h"
 #include "graph/report.h"
 #include "tests/support/folders.h"
 #include "tests/support/meshes.h"
+#include "tests/support/rows.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -45,7 +45,7 @@ nlohmann::json traced(test::TemporaryFolder const& folder, std::vector<ModelRow>
   RunOptions run{2, 0, folder.path() / "gallery"};
   run.trace = folder.path() / "trace.json";
   if (occupancy) run.occupied = [=](Occupancy const& part) { *occupancy += part; };
-  rows = run_pipeline(io::read_archive(folder.path() / "archive"), options, run);
+  rows = test::converted(io::read_archive(folder.path() / "archive"), options, run);
   return nlohmann::json::parse(test::read_file(run.trace));
 }
 
