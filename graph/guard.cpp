@@ -2,10 +2,11 @@
 #include "graph/guard.h"
 
 #include "graph/admission.h"
-#include "graph/arrival.h"
 #include "graph/child.h"
+#include "graph/death.h"
 #include "graph/events.h"
-#include "graph/settings.h"
+#include "graph/last_lines.h"
+#include "graph/limits.h"
 #include "graph/signals.h"
 #include "graph/suspects.h"
 #include "graph/wire.h"
@@ -16,12 +17,9 @@
 #include <nlohmann/json.hpp>
 
 #include <poll.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
-#include <deque>
 
 namespace vitrine::graph {
 namespace {
@@ -31,33 +29,18 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kTick = 200;                          ///< milliseconds
+constexpr std::chrono::milliseconds kWatch{100};    ///< between two looks at disk, clock and memory
 constexpr std::chrono::seconds kDying{2};           ///< a process may take from closing its files to being gone
-constexpr std::size_t kLogLines = 20;               ///< of evidence
 constexpr int kBarrenDeaths = 3;                    ///< workers that die before they open a model
 constexpr int kUnwritable = 5;                      ///< models that could not be published, until it must be the gallery
 constexpr std::uintmax_t kDiskReserve = 16'000'000; ///< bytes; below them no model is begun
 
-struct Step {
-  std::string stage;
-  Clock::time_point since;
-};
-
-/// A model that took its worker down.
-struct Conviction {
-  std::string status;
-  Failure failure;
-  std::string evidence;
-};
-
-/// Why the guard itself ended a worker.
-struct Verdict {
-  std::string reason, remedy;
-};
+Sentence const kNonsense{"the worker spoke nonsense", "please report this model as a bug"};
 
 class Guard {
  public:
   Guard(Night& night, GuardOptions const& options, GuardListener const& listener)
-      : night_(night), options_(options), listener_(listener), memory_(options.memory ? options.memory : default_memory()) {
+      : night_(night), options_(options), listener_(listener), limits_{options.memory ? options.memory : default_memory(), options.stall_limit} {
     hear();
   }
 
@@ -76,18 +59,23 @@ class Guard {
         for (std::string const& note : archive.notes) listener_.say("note: " + note);
       night_.found(archive);
       for (auto const& [slug, found] : convicts_)  // before the archive was known
-        if (io::ArchiveEntry const* const entry = night_.entry(slug); entry && !night_.settled(slug)) enter(*entry, found);
+        if (!night_.settled(slug)) enter(slug, found);
     };
     events_.stage = [this](std::string const& slug, std::string const& stage) {
-      if (stage == "estimate") in_flight_.clear();  // one after the other
+      if (stage == "estimate")
+        in_flight_.clear();  // one after the other
+      else if (!known(slug))
+        return;
       in_flight_[slug] = {stage, Clock::now()};
     };
     events_.fresh = [this](Record const& record) {
+      if (!known(record.row.slug)) return;
       in_flight_.erase(record.row.slug);
       suspects_.clear(record.row.slug);
       keep([&] { night_.fresh(record); });
     };
     events_.todo = [this](std::string const& slug, std::string const& why) {
+      if (!known(slug)) return;
       in_flight_.erase(slug);
       if (!alone_) night_.todo(slug, why);
     };
@@ -96,13 +84,21 @@ class Guard {
       announced_ = true;
     };
     events_.occupied = [this](Occupancy const& occupancy) { report_.occupancy += occupancy; };
-    events_.finished = [this](Record const& record) { finished(record); };
+    events_.finished = [this](Record const& record) {
+      if (known(record.row.slug)) finished(record);
+    };
   }
 
-  void message(json const& said) {
+  bool known(std::string const& slug) {
+    bool const is = night_.entry(slug);
+    if (!is) condemn(kNonsense);
+    return is;
+  }
+
+  void message(json const& said) try {
     silent_since_ = Clock::now();
     listener_.event(said);
-    std::string const event = said.value("event", "");
+    std::string const event = said.at("event");
     if (event == "end") {
       through_ = true;
     } else if (event == "error") {
@@ -113,8 +109,10 @@ class Guard {
       if (report_.workers == 1 && !report_.missing.empty())
         listener_.say("warning: models are opened without the protection of " + report_.missing);
     } else if (!deliver(said, events_)) {
-      condemn({"the worker spoke nonsense", "please report this model as a bug"});
+      condemn(kNonsense);
     }
+  } catch (json::exception const&) {
+    condemn(kNonsense);
   }
 
   void finished(Record const& record) {
@@ -152,7 +150,7 @@ class Guard {
     through_ = false;
     condemned_.reset();
     in_flight_.clear();
-    lines_.clear();
+    lines_ = {};
     silent_since_ = Clock::now();
     ++report_.workers;
     Child child(options_.arguments, options_.lock);
@@ -172,7 +170,7 @@ class Guard {
   }
 
   Order order() const {
-    Order order{night_.known(), night_.settled(), {}, {}, memory_, alone_};
+    Order order{night_.known(), night_.settled(), {}, {}, limits_.memory, alone_};
     for (auto const& [slug, found] : convicts_) order.unopened.insert(slug);
     if (alone_) order.only = suspects_.all();
     return order;
@@ -191,7 +189,7 @@ class Guard {
       if (log_closed_) fds[1].fd = -1;
       ::poll(fds, 3, status ? 0 : kTick);
       if (fds[0].revents && !(open = inbox.read(take))) closed = Clock::now();
-      if (fds[1].revents) read_log(child.log());
+      if (fds[1].revents) log_closed_ = !lines_.read(child.log(), [this](std::string const& line) { listener_.event({{"event", "log"}, {"line", line}}); });
       if (fds[2].revents) signalled();
       if (status && !(open && fds[0].revents) && !fds[1].revents) break;
       if (!open && !through_ && !status && Clock::now() - closed > kDying) condemn({"it closed the worker's line to the guard", "please report this model as a bug"});
@@ -202,49 +200,26 @@ class Guard {
     return *child.status();
   }
 
-  void read_log(int log) {
-    char piece[4096];
-    ssize_t const count = ::read(log, piece, sizeof piece);
-    if (count <= 0) {
-      log_closed_ = count == 0;
-      return;
-    }
-    unfinished_.append(piece, std::size_t(count));
-    for (std::size_t end; (end = unfinished_.find('\n')) != std::string::npos; unfinished_.erase(0, end + 1)) {
-      lines_.push_back(unfinished_.substr(0, std::min<std::size_t>(end, 500)));
-      if (lines_.size() > kLogLines) lines_.pop_front();
-      listener_.event({{"event", "log"}, {"line", lines_.back()}});
-    }
-    if (unfinished_.size() > 1 << 16) unfinished_.clear();
-  }
-
   /// What the guard looks at between messages.
   void watch(Child& child) {
     Clock::time_point const now = Clock::now();
+    if (now - watched_ < kWatch) return;
+    watched_ = now;
     if (options_.stop_at && std::chrono::system_clock::now() >= *options_.stop_at)
       stop(Ending::interrupted, "it is the time given by --stop-at");
     std::error_code error;
     if (fs::space_info const space = fs::space(options_.gallery, error); !error && space.available < kDiskReserve)
       stop(Ending::disk, "less than 16 MB are left on the gallery's disk");
     if (condemned_) return;
-    for (auto const& [slug, step] : in_flight_) {
-      io::ArchiveEntry const* const entry = night_.entry(slug);
-      double const limit = options_.stall_limit > 0 ? options_.stall_limit : entry ? stall_limit(*entry) : stall_limit({});
-      double const spent = std::chrono::duration<double>(now - step.since).count();
-      if (spent <= limit) continue;
-      std::string const seconds = std::to_string(int(limit));
-      return condemn({"no progress in " + seconds + " s", "raise --stall-limit if this machine is that slow, or please report this model as a bug"});
-    }
-    if (in_flight_.empty() && !through_ && now - silent_since_ > std::chrono::seconds(600)) return condemn({"the worker is silent", ""});
-    std::uint64_t const used = child.memory();
-    if (used > memory_ + memory_ / 4 + (256u << 20))
-      condemn({"used up the memory: " + std::to_string(used / 1'000'000) + " MB, and --memory allows " + std::to_string(memory_ / 1'000'000),
-               "run again with more --memory"});
+    std::optional<Sentence> sentence = limits_.hangs(in_flight_, now, [this](std::string const& slug) { return night_.entry(slug); });
+    if (!sentence && in_flight_.empty() && !through_) sentence = silent(now - silent_since_);
+    if (!sentence) sentence = limits_.swells(child.memory());
+    if (sentence) condemn(*sentence);
   }
 
-  void condemn(Verdict const& verdict) {
+  void condemn(Sentence const& sentence) {
     if (condemned_ || !child_) return;
-    condemned_ = verdict;
+    condemned_ = sentence;
     child_->kill();
   }
 
@@ -280,57 +255,36 @@ class Guard {
   void autopsy(int status) {
     std::set<std::string> victims;
     for (auto const& [slug, step] : in_flight_) victims.insert(slug);
-    std::string const how = condemned_ ? condemned_->reason : describe_status(status);
-    listener_.event({{"event", "died"}, {"how", how}, {"inFlight", victims}});
+    Death const death{status, condemned_};
+    listener_.event({{"event", "died"}, {"how", death.how()}, {"inFlight", victims}});
     if (stopping_) return void(ended_ = true);
     if (victims.empty()) {
-      if (++barren_ >= kBarrenDeaths) end(Ending::machine, "the worker dies before it opens a model: " + how);
+      if (++barren_ >= kBarrenDeaths) end(Ending::machine, "the worker dies before it opens a model: " + death.how());
       return;
     }
-    bool const stranger = !condemned_ && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
-    std::optional<std::string> const culprit = suspects_.died(victims, stranger);
-    if (culprit) return !condemned_ && WIFSIGNALED(status) && WTERMSIG(status) == SIGBUS ? unreadable(*culprit) : quarantine(*culprit, how);
-    listener_.say("the worker died (" + how + ") with " + std::to_string(victims.size()) + " models under way; trying them one at a time");
+    if (std::optional<std::string> const culprit = suspects_.died(victims, death.by_a_stranger())) {
+      Conviction const& found = convicts_[*culprit] = convict(death, in_flight_[*culprit].stage, lines_.text());
+      return enter(*culprit, found);
+    }
+    listener_.say("the worker died (" + death.how() + ") with " + std::to_string(victims.size()) + " models under way; trying them one at a time");
   }
 
-  void quarantine(std::string const& slug, std::string const& how) {
-    std::string const remedy = condemned_ ? condemned_->remedy : "please report this model as a bug";
-    convict(slug, "quarantined", {in_flight_[slug].stage, how, remedy + "; vitrine retry --quarantined tries it again"});
-  }
-
-  /// Files are mapped: where one cannot be read, whoever looks at it gets SIGBUS.
-  void unreadable(std::string const& slug) {
-    convict(slug, "failed", {in_flight_[slug].stage, "a file of it could not be read to its end: its disk failed, or it was cut off meanwhile",
-                             "check the archive's disk; the next run tries it again", Cause::machine});
-  }
-
-  void convict(std::string const& slug, std::string const& status, Failure const& failure) {
-    Conviction& found = convicts_[slug] = {status, failure, {}};
-    for (std::string const& line : lines_) found.evidence += line + "\n";
-    if (io::ArchiveEntry const* const entry = night_.entry(slug)) enter(*entry, found);
-  }
-
-  void enter(io::ArchiveEntry const& entry, Conviction const& found) {
-    Record record{arriving(entry, options_.model.cluster), settings_hash(options_.model, title_of(entry), entry.up), {}, 0, found.evidence};
-    record.row.status = found.status;
-    record.row.failure = found.failure;
-    record.row.input_hash = io::file_hash(entry.file);
-    settle(record);
+  void enter(std::string const& slug, Conviction const& found) {
+    if (io::ArchiveEntry const* const entry = night_.entry(slug)) settle(record_of(found, *entry, options_.model));
   }
 
   Night& night_;
   GuardOptions const& options_;
   GuardListener const& listener_;
-  std::uint64_t memory_;
+  Limits limits_;
   WorkEvents events_;
   Signals signals_;
   GuardReport report_;
   Child* child_ = nullptr;
-  std::map<std::string, Step> in_flight_;
-  std::deque<std::string> lines_;
-  std::string unfinished_;
-  Clock::time_point silent_since_;
-  std::optional<Verdict> condemned_;
+  Flight in_flight_;
+  LastLines lines_;
+  Clock::time_point silent_since_, watched_;
+  std::optional<Sentence> condemned_;
   Suspects suspects_;
   std::map<std::string, Conviction> convicts_;
   int barren_ = 0, unwritable_ = 0;
@@ -342,7 +296,5 @@ class Guard {
 GuardReport guard(Night& night, GuardOptions const& options, GuardListener const& listener) {
   return Guard(night, options, listener).run();
 }
-
-double stall_limit(io::ArchiveEntry const& entry) { return 300 + double(entry.estimate.triangles) / 5000; }
 
 }  // namespace vitrine::graph

@@ -55,7 +55,4 @@ struct GuardListener {
 /// Runs until all is done or nothing can be done. The work is what this program's command line says.
 GuardReport guard(Night& night, GuardOptions const& options, GuardListener const& listener);
 
-/// Seconds without progress after which a model is taken to hang.
-double stall_limit(io::ArchiveEntry const& entry);
-
 }  // namespace vitrine::graph
