@@ -63,9 +63,14 @@ json certificate_json(ModelRow const& row, ModelOptions const& options) {
   return out;
 }
 
+std::string seal_of(json certificate) {
+  certificate.erase("seal");
+  return io::content_hash(to_text(certificate));
+}
+
 std::string certificate_text(ModelRow const& row, ModelOptions const& options) {
   json certificate = certificate_json(row, options);
-  certificate["seal"] = io::content_hash(to_text(certificate));
+  certificate["seal"] = seal_of(certificate);
   return to_text(certificate);
 }
 

@@ -21,7 +21,10 @@ nlohmann::ordered_json program_json();
 /// options and program give the same certificate.
 nlohmann::ordered_json certificate_json(ModelRow const& row, ModelOptions const& options);
 
-/// The certificate's file: its last member, `seal`, is the hash of all others.
+/// The hash of all members but `seal`.
+std::string seal_of(nlohmann::ordered_json certificate);
+
+/// The certificate's file: its last member is its seal.
 std::string certificate_text(ModelRow const& row, ModelOptions const& options);
 
 /// Of the certificate's member `series`. Throws nlohmann::json::exception.

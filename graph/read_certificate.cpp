@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/certificate.h"
 
+#include "graph/bounded_json.h"
 #include "graph/model_folder.h"
 #include "graph/options_json.h"
 #include "io/dependencies.h"
@@ -123,13 +124,6 @@ Repairs read_repairs(json const& in) {
           in.at("flippedFaces")};
 }
 
-/// Without their seal the other members must give it.
-bool sealed(json certificate) {
-  json const seal = certificate.at("seal");
-  certificate.erase("seal");
-  return io::content_hash(to_text(certificate)) == seal;
-}
-
 }  // namespace
 
 std::vector<SeriesSizes> read_series(json const& in) {
@@ -146,8 +140,9 @@ std::vector<SeriesSizes> read_series(json const& in) {
 }
 
 std::optional<Record> record_from_certificate(std::string const& text, std::string const& slug) try {
-  json const in = json::parse(text);
-  if (in.at("schema") != 1 || !sealed(in)) return {};
+  std::optional<json> const read = bounded_json(text);
+  if (!read || read->at("schema") != 1 || read->at("seal") != seal_of(*read)) return {};
+  json const& in = *read;
   Record record;
   record.settings = in.at("settings");
   ModelRow& row = record.row;

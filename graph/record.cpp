@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/record.h"
 
+#include "graph/bounded_json.h"
+
 #include <nlohmann/json.hpp>
 
 namespace nlohmann {
@@ -13,6 +15,19 @@ struct adl_serializer<std::optional<T>> {
       value.reset();
     else
       value = in.get<T>();
+  }
+};
+
+/// As a number; one that stands for nothing is an error.
+template <class Enum>
+  requires requires { vitrine::EnumNames<Enum>::names; }
+struct adl_serializer<Enum> {
+  static void to_json(json& out, Enum value) { out = int(value); }
+  static void from_json(json const& in, Enum& value) {
+    auto const number = in.get<std::int64_t>();
+    if (number < 0 || number >= std::int64_t(vitrine::EnumNames<Enum>::names.size()))
+      throw json::other_error::create(501, "there is no choice " + in.dump(), &in);
+    value = Enum(number);
   }
 };
 
@@ -72,9 +87,9 @@ std::string to_bytes(Record const& record) {
 }
 
 std::optional<Record> record_from(std::string const& bytes) try {
-  nlohmann::json const json = nlohmann::json::from_cbor(bytes);
-  if (json.at("version") != kVersion) return {};
-  return json.get<Record>();
+  std::optional<nlohmann::json> const json = bounded_cbor(bytes);
+  if (!json || json->at("version") != kVersion) return {};
+  return json->get<Record>();
 } catch (nlohmann::json::exception const&) {
   return {};
 }

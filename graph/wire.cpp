@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/wire.h"
 
+#include "graph/bounded_json.h"
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -49,10 +51,9 @@ bool Inbox::hand_on(std::function<void(nlohmann::json const&)> const& take) {
     std::memcpy(&length, bytes_.data() + begin, sizeof length);
     if (length > kLongest) return false;
     if (bytes_.size() - begin - sizeof length < length) break;
-    char const* const value = bytes_.data() + begin + sizeof length;
-    nlohmann::json const json = nlohmann::json::from_cbor(value, value + length, true, false);
-    if (json.is_discarded()) return false;
-    take(json);
+    std::optional<nlohmann::json> const json = bounded_cbor({bytes_.data() + begin + sizeof length, length});
+    if (!json) return false;
+    take(*json);
     begin += sizeof length + length;
   }
   bytes_.erase(0, begin);

@@ -60,5 +60,20 @@ TEST(Record, IsNotTakenFromACertificateThatWasChanged) {
   EXPECT_FALSE(record_from_certificate(text, "hall-vase-0123"));
 }
 
+TEST(Record, IsNotTakenFromWhatIsNestedWithoutEnd) {
+  std::string const deep = std::string(200'000, '[') + std::string(200'000, ']');
+  EXPECT_FALSE(record_from_certificate("{\"schema\": 1, \"seal\": " + deep + "}", "hall-vase-0123"));
+}
+
+TEST(Record, NamesNoChoiceThatThereIsNot) {
+  nlohmann::json record = nlohmann::json::from_cbor(to_bytes({finished(), "settings", {}, 0, ""}));
+  for (int const choice : {-1, 99}) {
+    record["row"]["recipe"]["shading"] = choice;
+    std::string bytes;
+    nlohmann::json::to_cbor(record, bytes);
+    EXPECT_FALSE(record_from(bytes)) << choice;
+  }
+}
+
 }  // namespace
 }  // namespace vitrine::graph

@@ -57,6 +57,16 @@ TEST(Wire, NonsenseEndsIt) {
   }
 }
 
+TEST(Wire, WhatIsNestedWithoutEndIsNonsense) {
+  std::string bytes(60'000, '\x81');  // lists of one
+  bytes += '\0';
+  std::uint32_t const length = std::uint32_t(bytes.size());
+  Pipe const pipe;
+  pipe.put({reinterpret_cast<char const*>(&length), sizeof length});
+  pipe.put(bytes);
+  EXPECT_FALSE(Inbox(pipe.read).read([](json const&) { ADD_FAILURE(); }));
+}
+
 TEST(Wire, TheEndOfThePipeIsHeard) {
   Pipe pipe;
   ::close(std::exchange(pipe.write, -1));
