@@ -74,8 +74,8 @@ class Night : public testing::Test {
   }
 
   /// A run that nothing befalls.
-  Files undisturbed() const {
-    Outcome const outcome = run(convert("undisturbed"));
+  Files undisturbed(Arguments const& options = {}) const {
+    Outcome const outcome = run(convert("undisturbed", options));
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     return published(at("undisturbed"));
   }
