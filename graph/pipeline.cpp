@@ -8,6 +8,7 @@
 #include "graph/stage_body.h"
 #include "graph/steps.h"
 #include "graph/trace.h"
+#include "graph/trial_steps.h"
 #include "io/publish.h"
 
 #include <oneapi/tbb/flow_graph.h>
@@ -87,7 +88,8 @@ Message<EncodedThumbnail> win(JobPtr const& job) {
 // ---- The graph: order, concurrency and the bound on memory
 // ------------------------------------------------------------
 
-void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOptions const& run, Watcher const& finished) {
+void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOptions const& run,
+                  Watcher const& finished) {
   std::size_t const threads =
       run.threads > 0 ? std::size_t(run.threads) : std::size_t(tbb::info::default_concurrency());
   std::uint64_t const allowed = run.memory ? run.memory : default_memory();
@@ -96,7 +98,7 @@ void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOp
 
   struct Left {
     std::uint64_t memory;
-  };  // a model is out of the graph: what it held is free again
+  };                                              // a model is out of the graph: what it held is free again
   using Event = std::variant<std::size_t, Left>;  // the number: of an entry that is to come in
   using Gate = flow::multifunction_node<Event, std::tuple<Message<Admitted>>>;
 
@@ -141,20 +143,22 @@ void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOp
   });
   auto load = node.operator()<Admitted, CleanModel>(
       2, "load", [&](In<Admitted> const&, Job& job) { return load_model(job, options); });
-  auto survey_ = node.operator()<CleanModel, Surveyed>(flow::unlimited, "survey", [&](In<CleanModel> const& in, Job& job) {
-    job.original = std::make_shared<Original const>(survey_model(in, options));
-    return Surveyed{};
-  });
+  auto survey_ =
+      node.operator()<CleanModel, Surveyed>(flow::unlimited, "survey", [&](In<CleanModel> const& in, Job& job) {
+        job.original = std::make_shared<Original const>(survey_model(in, options));
+        return Surveyed{};
+      });
   auto simplify_ = node.operator()<Surveyed, Tried>(flow::unlimited, "simplify", [&](In<Surveyed> const&, Job& job) {
     job.levels = std::make_shared<Levels const>(simplify_model(*job.original, options));
     job.study.emplace(subject_of(*job.original, *job.levels, options), options);
     return Tried{};
   });
 
-  // The search: another trial, from the first stage on that makes something new of it, or the winner. A trial that fails
-  // is one more thing that was tried.
-  using Judge = flow::multifunction_node<Message<Tried>, std::tuple<Message<EncodedThumbnail>, Message<Tried>, Message<FlatCharts>,
-                                                                    Message<Atlas>, Message<BakedModel>>>;
+  // The search: another trial, from the first stage on that makes something new of it, or the winner. A trial that
+  // fails is one more thing that was tried.
+  using Judge =
+      flow::multifunction_node<Message<Tried>, std::tuple<Message<EncodedThumbnail>, Message<Tried>,
+                                                          Message<FlatCharts>, Message<Atlas>, Message<BakedModel>>>;
   Judge judge(g, flow::unlimited, [](Message<Tried> const& in, Judge::output_ports_type& out) {
     Study* const study = in.job->study ? &*in.job->study : nullptr;
     auto const* failure = std::get_if<Failure>(&in.value);
@@ -178,9 +182,10 @@ void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOp
     else
       std::get<1>(out).try_put({in.job, std::make_shared<Tried const>()});
   });
-  auto shape = node.operator()<Tried, SimplifiedMesh>(
-      flow::unlimited, "shape", [](In<Tried> const&, Job& job) { return shape_model(job); });
-  using Fork = flow::multifunction_node<Message<SimplifiedMesh>, std::tuple<Message<SimplifiedMesh>, Message<SimplifiedMesh>>>;
+  auto shape = node.operator()<Tried, SimplifiedMesh>(flow::unlimited, "shape",
+                                                      [](In<Tried> const&, Job& job) { return shape_model(job); });
+  using Fork =
+      flow::multifunction_node<Message<SimplifiedMesh>, std::tuple<Message<SimplifiedMesh>, Message<SimplifiedMesh>>>;
   Fork fork(g, flow::unlimited, [](Message<SimplifiedMesh> const& in, Fork::output_ports_type& out) {
     if (in.job->study->wants_atlas())
       std::get<1>(out).try_put(in);
@@ -196,14 +201,15 @@ void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOp
       flow::unlimited, "parameterize", [](In<ChartedMesh> const& in, Job& job) { return flatten_charts(*in, job); });
   auto pack_ = node.operator()<FlatCharts, Atlas>(
       flow::unlimited, "pack", [](In<FlatCharts> const& in, Job& job) { return pack_charts(in, job); });
-  auto bake_ = node.operator()<Atlas, BakedModel>(
-      flow::unlimited, "bake", [](In<Atlas> const& in, Job& job) { return bake_maps(in, job); });
+  auto bake_ = node.operator()<Atlas, BakedModel>(flow::unlimited, "bake",
+                                                  [](In<Atlas> const& in, Job& job) { return bake_maps(in, job); });
   auto encode = node.operator()<BakedModel, EncodedThumbnail>(
       threads, "encode", [](In<BakedModel> const& in, Job& job) { return encode_thumbnail(in, job); });
-  auto weigh_ = node.operator()<EncodedThumbnail, Tried>(flow::unlimited, "weigh", [](In<EncodedThumbnail> const& in, Job& job) {
-    weigh(in, job);
-    return Tried{};
-  });
+  auto weigh_ =
+      node.operator()<EncodedThumbnail, Tried>(flow::unlimited, "weigh", [](In<EncodedThumbnail> const& in, Job& job) {
+        weigh(in, job);
+        return Tried{};
+      });
 
   auto certify_ = node.operator()<EncodedThumbnail, Finished>(
       flow::unlimited, "certify",
@@ -212,14 +218,15 @@ void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOp
     publish_model(*in, options, run.gallery, job);
     return Published{};
   });
-  flow::function_node<Message<Published>, Event> report(g, flow::serial, [&](Message<Published> const& message) -> Event {
-    ModelRow const row = finish(message);
-    Job const& job = *message.job;
-    if (trace) trace->model(job.number, row.input, job.admitted, Trace::Clock::now());
-    finished(row, job.number);
-    if (run.occupied) run.occupied(meter.take());
-    return Left{job.memory};
-  });
+  flow::function_node<Message<Published>, Event> report(
+      g, flow::serial, [&](Message<Published> const& message) -> Event {
+        ModelRow const row = finish(message);
+        Job const& job = *message.job;
+        if (trace) trace->model(job.number, row.input, job.admitted, Trace::Clock::now());
+        finished(row, job.number);
+        if (run.occupied) run.occupied(meter.take());
+        return Left{job.memory};
+      });
 
   flow::make_edge(discover, admit);
   flow::make_edge(flow::output_port<0>(admit), load);

@@ -3,16 +3,12 @@
 
 #include "graph/certificate.h"
 #include "graph/model_folder.h"
-#include "io/fault.h"
+#include "graph/trial_steps.h"
 #include "io/image_codec.h"
-#include "stages/angle_error.h"
 #include "stages/clean.h"
 #include "stages/cluster.h"
-#include "stages/detail.h"
 #include "stages/deviation.h"
 #include "stages/error.h"
-#include "stages/paint.h"
-#include "stages/refit.h"
 #include "stages/welded_colours.h"
 
 #include <nlohmann/json.hpp>
@@ -48,8 +44,9 @@ std::vector<Reference> judges(SurveyedModel const& model, ModelOptions const& op
   if (options.fit.max_error > 0) return {reference(model, {.size = options.publish.viewport})};  // what is promised
   int const size = int(std::lround(options.publish.viewport * options.fit.pixel_ratio));
   std::vector<Reference> all;
-  for (MeasureOptions const& measure : {MeasureOptions{ViewSet::turntable, 3, size, Light::head, 2, options.bake.occlusion},
-                                        MeasureOptions{ViewSet::sphere, 3, size, Light::side, 2, options.bake.occlusion}})
+  for (MeasureOptions const& measure :
+       {MeasureOptions{ViewSet::turntable, 3, size, Light::head, 2, options.bake.occlusion},
+        MeasureOptions{ViewSet::sphere, 3, size, Light::side, 2, options.bake.occlusion}})
     all.push_back(reference(model, measure));
   return all;
 }
@@ -70,21 +67,14 @@ double deviation_limit(Original const& original, ModelOptions const& options) {
 std::size_t fewest_within(double limit, Progression const& levels, SurfaceSamples const& samples) {
   std::size_t low = 4, high = levels.finest();
   if (deviation(levels.at(high).mesh, samples) > limit)
-    throw Error(ErrorKind::no_solution, "no level of " + std::to_string(high) + " triangles or fewer keeps to the deviation asked for",
+    throw Error(ErrorKind::no_solution,
+                "no level of " + std::to_string(high) + " triangles or fewer keeps to the deviation asked for",
                 "raise --max-deviation or --max-px");
   while (high - low > high / 50 + 1) {
     std::size_t const middle = low + (high - low) / 2;
     (deviation(levels.at(middle).mesh, samples) > limit ? low : high) = middle;
   }
   return high;
-}
-
-/// Decoded and not repaired: what a client cannot draw is to be seen here.
-SurveyedModel decode(EncodedThumbnail const& thumbnail, Occlusion occlusion) {
-  io::Resolve const nothing = [](std::string_view) { return std::nullopt; };
-  io::ReadOptions options;
-  options.occlusion_maps = occlusion == Occlusion::occlusion;
-  return survey(std::make_shared<SourceModel const>(io::read_model(".glb", io::own(thumbnail.glb), nothing, options)));
 }
 
 Measurement measurement(Reference const& reference, Comparison const& comparison) {
@@ -96,7 +86,8 @@ Measurement measurement(Reference const& reference, Comparison const& comparison
 double thinning_error(SourceModel whole, SourceModel const& thin, int size) {
   constexpr int views = 4;
   if (whole.normals.empty()) whole.normals = smooth_normals(whole.mesh, merged_places(whole.mesh));
-  Reference const all = reference(survey(std::make_shared<SourceModel const>(std::move(whole))), {.count = views, .size = size});
+  Reference const all =
+      reference(survey(std::make_shared<SourceModel const>(std::move(whole))), {.count = views, .size = size});
   SurveyedModel const left = survey(std::shared_ptr<SourceModel const>(std::shared_ptr<void>(), &thin));
   return compare(all.pictures, pictures(left, all)).mean.mse1e4;
 }
@@ -180,110 +171,6 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
   subject.needs_map = model.surface.alpha() != AlphaMode::opaque || occluded;
   return subject;
 }
-
-// ---- One trial
-// ----------------------------------------------------------------------------------------------------------------
-
-/// Vertices that bear normals stay: these make up for their places.
-bool refits(Job const& job) {
-  return job.study->recipe().shading == Shading::facets && job.study->options().fit.without != Choice::refit;
-}
-
-SimplifiedMesh shape_model(Job& job) {
-  Levels const& levels = *job.levels;
-  Recipe const& recipe = job.study->recipe();
-  SimplifiedMesh light = levels.fixed                      ? *levels.fixed
-                         : recipe.painting == Painting::own ? simplify(*levels.textured, recipe.triangles)
-                         : recipe.colour_weight > 0         ? levels.coloured->at(recipe.triangles)
-                                                            : levels.plain->at(recipe.triangles);
-  job.row.simplify_error = light.error;
-  if (!levels.fixed && refits(job))
-    light.mesh = refit(light.mesh, job.original->samples);
-  return light;
-}
-
-BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
-  Recipe const& recipe = job.study->recipe();
-  if (recipe.painting == Painting::own)
-    return wear_own_texture(light, *job.levels->textured, job.original->model, job.original->samples,
-                            {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth});
-  Grid const grid = cube_about(light.mesh, recipe.position_bits);
-  QuantizedMesh const placed =
-      refits(job)
-          ? round_to_grid(light.mesh, grid, job.original->samples)
-          : quantize(light.mesh, grid);
-  PaintOptions options;
-  options.colour_bits = recipe.colour_bits;
-  options.smoothing = recipe.smoothing;
-  options.palette = job.study->options().fit.without != Choice::palette;
-  options.normals = recipe.shading == Shading::smooth;
-  return paint(placed, job.original->model, job.original->samples, options);
-}
-
-FlatCharts flatten_charts(ChartedMesh const& charts, Job& job) {
-  switch (job.study->options().parameterize.unfolding) {
-    case Unfolding::rigid:
-      return parameterize(charts, std::vector<float>(charts.mesh.triangles.size(), 1));
-    case Unfolding::detail:
-      return parameterize(charts, detail_lengths(charts.mesh, job.original->samples));
-    default:
-      return parameterize(charts);
-  }
-}
-
-Atlas pack_charts(std::shared_ptr<FlatCharts const> const& flat, Job& job) {
-  job.study->makings().charts = flat;
-  Atlas atlas = pack(*flat, job.study->options().pack);
-  job.row.charts = atlas.charts;
-  job.row.chart_retries = flat->retries;
-  job.row.atlas_fill = atlas.fill;
-  return atlas;
-}
-
-BakedModel bake_maps(std::shared_ptr<Atlas const> const& atlas, Job& job) {
-  job.study->makings().atlas = atlas;
-  ModelOptions const& options = job.study->options();
-  BakeOptions wanted = options.bake;
-  wanted.derived_normals = options.encode.x3dom;
-  BakedModel baked = bake(quantize(*atlas, options.quantize), job.original->model, wanted);
-  job.row.bake = baked.statistics;
-  return baked;
-}
-
-EncodedThumbnail encode_thumbnail(std::shared_ptr<BakedModel const> const& baked, Job& job) {
-  job.study->makings().baked = baked;
-  ModelOptions const& options = job.study->options();
-  Recipe const& recipe = job.study->recipe();
-  std::size_t const most = !job.levels->fixed && is_filled(recipe) ? std::size_t(recipe.ceiling) : io::kAnySize;
-  EncodedThumbnail thumbnail = io::encode(*baked, job.row.title, options.encode, most);
-  io::garble("result", job.entry->path, thumbnail.glb);
-  ModelRow& row = job.row;
-  row.triangles = thumbnail.triangles;
-  row.vertices = thumbnail.vertices;
-  row.bytes = {thumbnail.glb.size(), thumbnail.geometry,  thumbnail.colour,
-               thumbnail.normal,     thumbnail.occlusion, thumbnail.other};
-  row.x3d_bytes = thumbnail.x3d_zip.size();
-  if (thumbnail.normal_map) row.normal_angle = angle_error(*baked->normal, *thumbnail.normal_map);
-  return thumbnail;
-}
-
-void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
-  double error = 0, score = 0;
-  if (!job.original->judges.empty()) {
-    bool const structure = job.study->options().fit.without != Choice::structure;
-    SurveyedModel const decoded = decode(*file, job.study->options().bake.occlusion);
-    for (Reference const& judge : job.original->judges) {
-      Difference const mean = compare(judge.pictures, pictures(decoded, judge)).mean;
-      error += mean.mse1e4 / double(job.original->judges.size());
-      score += mean.mse1e4 * (structure ? 1 - mean.foreground_ssim : 1);
-    }
-  }
-  job.study->add(job.row, file, error, score);
-  static_cast<Made&>(job.row) = {};
-}
-
-// ---- The winner
-// ---------------------------------------------------------------------------------------------------------------
 
 Finished certify(EncodedThumbnail const& thumbnail, PublishOptions const& options, Job& job) {
   Reference const& reference = job.original->reference;

@@ -48,26 +48,6 @@ bool all_equal(std::vector<Rgba16> const& colours) {
   return std::all_of(colours.begin(), colours.end(), [&](Rgba16 const& c) { return c == colours[0]; });
 }
 
-/// What clients show of m in the frames of stored tangents (xyz, and w the side of the bitangent); 0 where there is none.
-LaneVector<3> in_stored_frames(LaneVector<4> const& tangents, LaneVector<3> const& n, LaneVector<3> const& m,
-                               std::size_t count) {
-  LaneVector<3> t{tangents[0], tangents[1], tangents[2]}, b, shown;
-  make_unit(t, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    b[0][i] = n[1][i] * t[2][i] - n[2][i] * t[1][i];
-    b[1][i] = n[2][i] * t[0][i] - n[0][i] * t[2][i];
-    b[2][i] = n[0][i] * t[1][i] - n[1][i] * t[0][i];
-  }
-  make_unit(b, count);
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < count; ++i) {
-      float const side = tangents[3][i] < 0 ? -1.f : 1.f;
-      shown[k][i] = t[k][i] * m[0][i] + b[k][i] * (side * m[1][i]) + n[k][i] * m[2][i];
-    }
-  make_unit(shown, count);
-  return shown;
-}
-
 /// Filtered images, made where a material in use asks for them.
 using MipMaps = std::vector<std::unique_ptr<MipMap const>>;
 

@@ -70,4 +70,23 @@ V3f from_tangent_space(TangentFrame const& frame, V3f const& m) {
   return unit(frame.tangent * m.x + frame.bitangent * m.y + frame.normal * m.z);
 }
 
+LaneVector<3> in_stored_frames(LaneVector<4> const& tangents, LaneVector<3> const& n, LaneVector<3> const& m,
+                               std::size_t count) {
+  LaneVector<3> t{tangents[0], tangents[1], tangents[2]}, b, shown;
+  make_unit(t, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    b[0][i] = n[1][i] * t[2][i] - n[2][i] * t[1][i];
+    b[1][i] = n[2][i] * t[0][i] - n[0][i] * t[2][i];
+    b[2][i] = n[0][i] * t[1][i] - n[1][i] * t[0][i];
+  }
+  make_unit(b, count);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < count; ++i) {
+      float const side = tangents[3][i] < 0 ? -1.f : 1.f;
+      shown[k][i] = t[k][i] * m[0][i] + b[k][i] * (side * m[1][i]) + n[k][i] * m[2][i];
+    }
+  make_unit(shown, count);
+  return shown;
+}
+
 }  // namespace vitrine

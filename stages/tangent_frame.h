@@ -26,6 +26,7 @@
 /// is the face's own normal.
 
 #include "stages/data.h"
+#include "stages/lanes.h"
 
 namespace vitrine {
 
@@ -50,5 +51,10 @@ V3f to_tangent_space(TangentFrame const& frame, V3f const& wanted);
 
 /// What the client shows for m: normalize(T m.x + B m.y + N m.z).
 V3f from_tangent_space(TangentFrame const& frame, V3f const& m);
+
+/// The same side by side in stored frames: `tangents` as interpolated (xyz, and w the side of the bitangent), `n` unit.
+/// 0 where a lane has no tangent.
+LaneVector<3> in_stored_frames(LaneVector<4> const& tangents, LaneVector<3> const& n, LaneVector<3> const& m,
+                               std::size_t count);
 
 }  // namespace vitrine

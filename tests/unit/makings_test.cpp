@@ -8,7 +8,10 @@ namespace vitrine::graph {
 namespace {
 
 Makings made(Recipe const& recipe) {
-  Makings makings{recipe, {}, std::make_shared<FlatCharts const>(), std::make_shared<Atlas const>(),
+  Makings makings{recipe,
+                  {},
+                  std::make_shared<FlatCharts const>(),
+                  std::make_shared<Atlas const>(),
                   std::make_shared<BakedModel const>()};
   makings.made.charts = 7;
   return makings;
@@ -40,8 +43,9 @@ TEST(Makings, OfAnotherTextureEndWithTheCharts) {
 }
 
 TEST(Makings, OfAnotherShapeAreNone) {
-  for (auto const& change : {+[](Recipe& r) { r.triangles = 2000; }, +[](Recipe& r) { r.shading = Shading::smooth; },
-                             +[](Recipe& r) { r.unfolding = Unfolding::rigid; }, +[](Recipe& r) { r.painting = Painting::own; }}) {
+  for (auto const& change :
+       {+[](Recipe& r) { r.triangles = 2000; }, +[](Recipe& r) { r.shading = Shading::smooth; },
+        +[](Recipe& r) { r.unfolding = Unfolding::rigid; }, +[](Recipe& r) { r.painting = Painting::own; }}) {
     Recipe other = kMap;
     change(other);
     Makings const shared = made(kMap).shared_with(other);
