@@ -27,6 +27,8 @@ table { border-collapse: collapse; width: 100%; } th { text-align: left; }
 td, th { border-bottom: 1px solid var(--line); padding: .3rem .6rem .3rem 0; vertical-align: top; }
 td:first-child, td:last-child { overflow-wrap: anywhere; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number { white-space: nowrap; }
+@media (max-width: 40rem) { table { font-size: .78rem; } td, th { padding-right: .35rem; } }
 .bad { color: var(--bad); white-space: nowrap; } .quiet { color: var(--quiet); } code { font-size: .9em; overflow-wrap: anywhere; }
 )";
 
@@ -115,7 +117,8 @@ std::string summary_text(Summary const& s, std::string const& gallery) {
 }
 
 std::string summary_html(Summary const& s, std::vector<ModelRow> const& rows) {
-  std::string out = "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\n"
+  std::string out = "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                    "<link rel=\"icon\" href=\"data:,\">\n"
                     "<title>Vitrine: report</title><style>" + std::string(kStyle) + "</style></head>\n<body>\n<h1>" + html(headline(s)) + "</h1>\n<p>";
   if (s.done > 0) out += fmt::format("{} each on average, {} on disk. ", size(s.bytes / s.done), size(s.disk));
   if (!s.problems.empty()) out += fmt::format("{} problems, {} of them new. ", s.problems.size(), new_problems(s));

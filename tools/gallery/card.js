@@ -32,6 +32,13 @@ export function textElement(tag, text, name) {
   return element;
 }
 
+/** A name's heading. What is longer than a line breaks between words, as file names have them, before it breaks within one. @param {string} title */
+function heading(title) {
+  const element = document.createElement('h2');
+  title.split(/(?<=[_.\-])(?=[^_.\-])|(?<=\p{Ll})(?=\p{Lu})/u).forEach((word, i) => element.append(...(i > 0 ? [document.createElement('wbr'), word] : [word])));
+  return element;
+}
+
 /** The file that the page shows. @param {GalleryObject} object */
 export const shownFile = ({ plain, thumb, bytes }) => plain ?? { glb: thumb, bytes };
 
@@ -73,7 +80,7 @@ export function makeCard(object) {
   card.className = 'card';
   card.id = slug;
   const seen = thumbnail(object);
-  seen.append(textElement('h2', title));
+  seen.append(heading(title));
   const credit = [metadata.credit, metadata.licence].filter(Boolean).join(', ');
   if (credit) seen.append(textElement('p', credit));
   const last = textElement('p', countText(triangles, 'triangle'));
