@@ -85,8 +85,9 @@ void publish_reports(ConvertCommand const& command, graph::Night const& night, g
   nlohmann::ordered_json report = graph::report_json(rows, archive, graph::options_json(command.model), summary.seconds);
   report["run"] = graph::run_json(summary);
   nlohmann::ordered_json shown = graph::gallery_json(rows);
-  shown["page"] = page_weight(gallery, rows, page_sizes());
+  shown["page"] = page_weight(gallery, rows, command.model.encode.profile, page_sizes());
   offer_plain(gallery, shown);
+  keep_measured(gallery, shown["page"]);
   report["page"] = shown["page"];
   report["cpuSeconds"] = graph::cpu_seconds();
   report["peakMemory"] = graph::peak_memory();

@@ -87,7 +87,7 @@ Json page_sizes() {
   return Json::parse(io::text(io::map_file(page / "sizes.json")));
 }
 
-Json page_weight(fs::path const& gallery, std::vector<ModelRow> const& rows, Json const& sizes) {
+Json page_weight(fs::path const& gallery, std::vector<ModelRow> const& rows, Profile profile, Json const& sizes) {
   std::size_t objects = 0, thumbnails = 0, posters = 0;
   for (ModelRow const& row : rows) {
     if (row.status != "done") continue;
@@ -97,9 +97,23 @@ Json page_weight(fs::path const& gallery, std::vector<ModelRow> const& rows, Jso
     auto const size = fs::file_size(gallery / row.poster, missing);
     if (!missing) posters += size;
   }
-  Json out = sizes;
+  Json out = Json::object();
+  if (sizes.contains("viewer")) out["viewer"] = sizes["viewer"];
+  auto const decoder = std::string(EnumNames<Profile>::names[std::size_t(profile)]);
+  if (Json const decoders = sizes.value("decoders", Json::object()); decoders.contains(decoder)) out["decoder"] = decoders[decoder];
   out.update({{"objects", objects}, {"thumbnails", thumbnails}, {"posters", posters}, {"series", series_weight(rows)}});
   return out;
+}
+
+void keep_measured(fs::path const& gallery, Json& page) {
+  fs::path const file = gallery / "gallery.json";
+  if (!fs::exists(file)) return;
+  Json const earlier = Json::parse(io::text(io::map_file(file)), nullptr, false);
+  if (!earlier.is_object() || !earlier.contains("page") || !earlier["page"].contains("measured")) return;
+  Json then = earlier["page"];
+  Json const measured = then["measured"];
+  then.erase("measured");
+  if (then == page) page["measured"] = measured;
 }
 
 }  // namespace vitrine::tools

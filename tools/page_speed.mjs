@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: Apache-2.0
 // How long visitors of a gallery wait: its page, opened in headless Chromium over slow lines, with objects in 3D and with the same
-// objects as series of pictures. Files travel compressed by gzip where that helps, as web servers do it.
+// objects as series of pictures. Files travel compressed by gzip where that helps, as web servers do it. What is found goes into
+// the gallery, as page.measured of gallery.json and report.json: the page states it, and vitrine report prints it.
 import fs from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
@@ -41,6 +42,13 @@ function watch(view) {
   look();
 }
 
+// gallery.json as for a page that shows pictures and has no decoder to load.
+function ofPictures(gallery) {
+  const { page, ...rest } = JSON.parse(fs.readFileSync(path.join(gallery, 'gallery.json'), 'utf8'));
+  delete page.decoder;
+  return JSON.stringify({ ...rest, page });
+}
+
 async function visit(browser, url, view, { megabits, latency }) {
   const context = await browser.newContext({ viewport: VIEWPORT });
   const page = await context.newPage();
@@ -48,7 +56,7 @@ async function visit(browser, url, view, { megabits, latency }) {
   await client.send('Network.enable');
   await client.send('Network.emulateNetworkConditions', { offline: false, latency, downloadThroughput: (megabits * 1e6) / 8, uploadThroughput: (megabits * 1e6) / 8 });
   await page.addInitScript(watch, view);
-  await page.goto(`${url}/gallery/index.html`, { timeout: PATIENCE });
+  await page.goto(`${url}/${view}/index.html`, { timeout: PATIENCE });
   await page.waitForFunction(() => window.times.all, null, { timeout: PATIENCE });
   const times = await page.evaluate(() => ({ ...window.times, decodings: customElements.get('vitrine-thumbnail').statistics.decodings }));
   await context.close();
@@ -58,6 +66,27 @@ async function visit(browser, url, view, { megabits, latency }) {
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(1)} s`;
 const kilobytes = (bytes) => `${(bytes / 1000).toFixed(0)} KB`;
+
+// What goes into the gallery: milliseconds of decoding, seconds of waiting, bytes loaded by then.
+function findings(visits) {
+  const inSeconds = (milliseconds) => Number((milliseconds / 1000).toFixed(2));
+  return {
+    decoding: Number(median(visits.flatMap(({ decodings }) => decodings)).toFixed(1)),
+    visits: visits.map(({ view, megabits, latency, poster, first, all, bytes }) => ({
+      view, megabits, latency, poster: inSeconds(poster), first: inSeconds(first), all: inSeconds(all), bytes: { first: bytes.first, all: bytes.all },
+    })),
+  };
+}
+
+function record(gallery, measured) {
+  for (const name of ['gallery.json', 'report.json']) {
+    const file = path.join(gallery, name);
+    const json = JSON.parse(fs.readFileSync(file, 'utf8'));
+    json.page.measured = measured;
+    fs.writeFileSync(`${file}.new`, `${JSON.stringify(json, null, 1)}\n`);
+    fs.renameSync(`${file}.new`, file);
+  }
+}
 
 function report(visits, objects) {
   const rows = visits.map(({ view, megabits, poster, first, all, bytes }) =>
@@ -71,7 +100,7 @@ async function main() {
   const { values: { page }, positionals: [gallery] } = parseArgs({ options: { page: { type: 'string' } }, allowPositionals: true });
   if (!gallery) throw new Error(USAGE);
   const { objects } = JSON.parse(fs.readFileSync(path.join(gallery, 'gallery.json'), 'utf8'));
-  const server = await serve({ '/gallery/': gallery }, { gzip: true });
+  const server = await serve({ '/3d/': gallery, '/series/': gallery }, { gzip: true, answers: { '/series/gallery.json': () => ofPictures(gallery) } });
   const browser = await openBrowser();
   try {
     const visits = [];
@@ -80,6 +109,7 @@ async function main() {
         visits.push({ view, ...line, ...(await visit(browser, server.url, view, line)) });
         process.stderr.write(`${view}, ${line.megabits} Mbit/s: ${seconds(visits.at(-1).all)}\n`);
       }
+    record(gallery, findings(visits));
     const text = report(visits, objects.length);
     console.log(text);
     if (page) putInto(page, 'tools/page_speed.mjs', text);

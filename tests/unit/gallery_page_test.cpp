@@ -45,13 +45,32 @@ TEST(GalleryPage, IsLeftAloneWithoutAPlaceForPosters) { EXPECT_EQ(with_posters("
 TEST(GalleryPage, WeighsWhatIsDone) {
   test::TemporaryFolder const gallery;
   test::write_file(gallery.path() / "models/lion/poster.jpg", "12345");
-  auto const page = page_weight(gallery.path(), {lion(), broken(), lion()}, {{"viewer", {{"bytes", 9}, {"gzip", 3}}}});
+  nlohmann::ordered_json const sizes = {{"viewer", {{"bytes", 9}, {"gzip", 3}}}, {"decoders", {{"web", {{"gzip", 5}}}, {"meshopt", {{"gzip", 4}}}}}};
+  auto const page = page_weight(gallery.path(), {lion(), broken(), lion()}, Profile::web, sizes);
   EXPECT_EQ(page["viewer"]["gzip"], 3);
   EXPECT_EQ(page["objects"], 2);
   EXPECT_EQ(page["thumbnails"], 32000);
   EXPECT_EQ(page["posters"], 10);
   EXPECT_EQ(page["series"]["jpeg90"]["8"], 200);
   EXPECT_EQ(page["series"]["jpeg90"]["32"], 800);
+  EXPECT_EQ(page["decoder"]["gzip"], 5);
+  EXPECT_EQ(page_weight(gallery.path(), {lion()}, Profile::meshopt, sizes)["decoder"]["gzip"], 4);
+  EXPECT_FALSE(page_weight(gallery.path(), {lion()}, Profile::plain, sizes).contains("decoder"));
+}
+
+TEST(GalleryPage, KeepsWhatWasMeasuredOfIt) {
+  test::TemporaryFolder const gallery;
+  nlohmann::ordered_json const page = {{"objects", 2}, {"posters", 10}};
+  auto const kept = [&](nlohmann::ordered_json now) {
+    keep_measured(gallery.path(), now);
+    return now.contains("measured");
+  };
+  EXPECT_FALSE(kept(page));
+  test::write_file(gallery.path() / "gallery.json", R"({"page": {"objects": 2, "posters": 10, "measured": {"decoding": 43}}})");
+  EXPECT_TRUE(kept(page));
+  EXPECT_FALSE(kept({{"objects", 2}, {"posters", 11}})) << "of another page";
+  test::write_file(gallery.path() / "gallery.json", "{");
+  EXPECT_FALSE(kept(page)) << "a damaged file";
 }
 
 }  // namespace

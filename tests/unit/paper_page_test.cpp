@@ -73,6 +73,18 @@ TEST(PaperTables, APageCountsItsCodeOnceAndPicturesNone) {
             "\"8 pictures, JPEG q90\",40.0,400.0,0.20,0.03,0.01,2.00,0.32,0.06\r\n");
   gallery.page["plain"] = {{"thumbnails", 120'000}};
   EXPECT_THAT(to_csv(page_table(gallery)), HasSubstr("\"3D, with viewer\",162.0,270.0,"));
+  gallery.page.erase("plain");
+  gallery.page.erase("decoder");
+  EXPECT_THAT(to_csv(page_table(gallery)), HasSubstr("\"3D, with viewer\",160.0,250.0,")) << "profiles that need none";
+}
+
+TEST(PaperTables, APageTellsHowLongVisitorsWaited) {
+  Gallery gallery = study().gallery;
+  EXPECT_TRUE(wait_table(gallery).rows.empty()) << "galleries that were not measured";
+  gallery.page["measured"] = {{"decoding", 43.2}, {"visits", {{{"view", "3d"}, {"megabits", 1.6}, {"latency", 150}, {"poster", 1.53}, {"first", 3.6},
+                               {"all", 5.72}, {"bytes", {{"first", 353'000}, {"all", 493'400}}}}}}};
+  EXPECT_THAT(wait_table(gallery).caption, HasSubstr("43 ms"));
+  EXPECT_THAT(to_csv(wait_table(gallery)), HasSubstr("\r\n3D,1.6,150,1.5,3.6,353,5.7,493\r\n"));
 }
 
 TEST(PaperTables, CodecsHaveTheirUsualNames) {

@@ -18,8 +18,9 @@ const typeOf = (name) => ({ 'content-type': TYPES[path.extname(name)] ?? 'applic
 export async function serve(mounts, { gzip = false, answers = {} } = {}) {
   const server = http.createServer(async (request, response) => {
     const url = decodeURIComponent(new URL(request.url, 'http://127.0.0.1').pathname);
+    const send = (body) => response.writeHead(200, gzip ? { ...typeOf(url), 'content-encoding': 'gzip' } : typeOf(url)).end(gzip ? zlib.gzipSync(body, { level: 9 }) : body);
     if (answers[url]) {
-      response.writeHead(200, typeOf(url)).end(await answers[url]());
+      send(await answers[url]());
       return;
     }
     const prefix = Object.keys(mounts).find((p) => url.startsWith(p));
@@ -28,9 +29,7 @@ export async function serve(mounts, { gzip = false, answers = {} } = {}) {
       response.writeHead(404).end();
       return;
     }
-    response.writeHead(200, gzip ? { ...typeOf(file), 'content-encoding': 'gzip' } : typeOf(file));
-    if (gzip) response.end(zlib.gzipSync(fs.readFileSync(file), { level: 9 }));
-    else fs.createReadStream(file).pipe(response);
+    send(fs.readFileSync(file));
   });
   await new Promise((done, fail) => server.once('error', fail).listen(0, '127.0.0.1', done));
   return {

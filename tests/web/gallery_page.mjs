@@ -14,11 +14,12 @@ export function writeGallery(objects, page) {
   return gallery;
 }
 
-// Opens it. `complaints` collects whatever should not be: errors, warnings of three, failed or foreign requests, violations of the
+// Opens it, from a server of its own or from the one at `url`. `complaints` collects whatever should not be: errors, warnings of three, failed or foreign requests, violations of the
 // content security policy. `window.contexts` counts WebGL contexts, `window.untilFirst` the bytes that were loaded when the first
 // object was there, pictures apart.
-export async function openGallery(folder, { width = 1280, height = 800, gzip = false, ...context } = {}) {
-  const server = await serve({ '/some/where/': folder }, { gzip });
+export async function openGallery(folder, { width = 1280, height = 800, gzip = false, url, ...context } = {}) {
+  const server = url ? null : await serve({ '/some/where/': folder }, { gzip });
+  const home = url ?? `${server.url}/some/where/`;
   const browser = await openBrowser();
   const page = await browser.newPage({ viewport: { width, height }, ...context });
   const complaints = [];
@@ -29,7 +30,7 @@ export async function openGallery(folder, { width = 1280, height = 800, gzip = f
   page.on('requestfailed', (request) => {
     if (request.failure()?.errorText !== 'net::ERR_ABORTED') complaints.push(`failed: ${request.url()}`); // cards that left before
   });
-  page.on('request', (request) => { if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(server.url)) complaints.push(`foreign: ${request.url()}`); });
+  page.on('request', (request) => { if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(new URL(home).origin)) complaints.push(`foreign: ${request.url()}`); });
   page.on('response', (response) => { if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`); });
   await page.addInitScript(() => {
     window.contexts = 0;
@@ -60,8 +61,8 @@ export async function openGallery(folder, { width = 1280, height = 800, gzip = f
     look();
     document.addEventListener('securitypolicyviolation', (event) => console.error(`policy: ${event.violatedDirective} ${event.blockedURI}`));
   });
-  await page.goto(`${server.url}/some/where/index.html`);
-  return { page, complaints, server, close: async () => { await browser.close(); await server.close(); } };
+  await page.goto(`${home}index.html`);
+  return { page, complaints, close: async () => { await browser.close(); await server?.close(); } };
 }
 
 export const MOST_FIRST = 350e3; // bytes until the first object is there, pictures apart
@@ -71,7 +72,14 @@ export async function bytesUntilFirst(page) {
   return page.evaluate(() => window.untilFirst);
 }
 
-// The thumbnail of the card at this place.
+// How much of the page has moved by itself so far.
+export const shiftOf = (page) => page.evaluate(() => new Promise((done) => {
+  new PerformanceObserver((list) => done(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
+  setTimeout(() => done(0), 200);
+}));
+
+// The thumbnail of an object of gallery.json; of the card at this place.
+export const cardOf = (page, object) => page.locator(`[id="${object.slug}"] vitrine-thumbnail`);
 export const cardAt = (page, index) => page.locator('vitrine-thumbnail').nth(index);
 export const pictureOf = (card) => card.locator('[part="picture"]');
 
@@ -108,6 +116,31 @@ export function change(a, b, by = 8) {
 export function middle({ side, data }) {
   const i = 4 * ((side >> 1) * side + (side >> 1));
   return [...data.subarray(i, i + 4)];
+}
+
+// A picture's file as the page's browser decodes it, RGBA.
+export const decoded = async (page, file) => Buffer.from(await page.evaluate(async (source) => {
+  const image = new Image();
+  image.src = source;
+  await image.decode();
+  return window.bytesOf(image);
+}, file), 'base64');
+
+// Mean square error times 10^4 of two pictures, RGBA; alpha apart.
+export function mse1e4(a, b) {
+  let sum = 0;
+  for (let i = 0; i < a.length; ++i) if (i % 4 !== 3) sum += ((a[i] - b[i]) / 255) ** 2;
+  return (1e4 * sum) / (a.length * 0.75);
+}
+
+// Means of the 8 x 8 blocks of a square picture, which JPEG keeps whatever it does to the texture within, RGBA.
+export function blockMeans(data) {
+  const side = Math.sqrt(data.length / 4), count = Math.floor(side / 8);
+  const means = new Float64Array(4 * count * count);
+  for (let y = 0; y < 8 * count; ++y)
+    for (let x = 0; x < 8 * count; ++x)
+      for (let k = 0; k < 4; ++k) means[4 * ((y >> 3) * count + (x >> 3)) + k] += data[4 * (y * side + x) + k] / 64;
+  return means;
 }
 
 // Over white, as the page shows it.

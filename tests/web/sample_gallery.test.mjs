@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bytesUntilFirst, change, MOST_FIRST, openGallery, overWhite, pictureOf, pixels, shown } from './gallery_page.mjs';
+import { bytesUntilFirst, cardOf, change, decoded, MOST_FIRST, mse1e4, openGallery, overWhite, pictureOf, pixels, shiftOf, shown } from './gallery_page.mjs';
 
 const folder = process.env.VITRINE_WEB_GALLERY;
 const { objects, page: weight } = JSON.parse(fs.readFileSync(path.join(folder, 'gallery.json'), 'utf8'));
@@ -16,54 +16,35 @@ let page, complaints, close;
 before(async () => { ({ page, complaints, close } = await openGallery(folder, { gzip: true })); });
 after(async () => { await close?.(); });
 
-const cardOf = (object) => page.locator(`[id="${object.slug}"] vitrine-thumbnail`);
-
-// A picture's file as the page's browser decodes it, RGBA.
-const decoded = async (file) => Buffer.from(await page.evaluate(async (source) => {
-  const image = new Image();
-  image.src = source;
-  await image.decode();
-  return window.bytesOf(image);
-}, file), 'base64');
-
-function mse1e4(a, b) {
-  let sum = 0;
-  for (let i = 0; i < a.length; ++i) if (i % 4 !== 3) sum += ((a[i] - b[i]) / 255) ** 2;
-  return (1e4 * sum) / (a.length * 0.75);
-}
-
 test('the first object is there after 350 KB', async () => {
   const bytes = await bytesUntilFirst(page);
   assert.ok(bytes > 200e3 && bytes <= MOST_FIRST, `${bytes} bytes`);
 });
 
 test('posters stand at their final size, and nothing moves', async () => {
-  for (const object of objects) await shown(cardOf(object));
-  const shift = await page.evaluate(() => new Promise((done) => {
-    new PerformanceObserver((list) => done(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
-    setTimeout(() => done(0), 200);
-  }));
+  for (const object of objects) await shown(cardOf(page, object));
+  const shift = await shiftOf(page);
   assert.ok(shift < 0.02, `layout shift ${shift}`);
 });
 
 test('the first picture is the poster, and as near to the original as the certificate says', async () => {
   for (const object of objects) {
-    const card = cardOf(object);
+    const card = cardOf(page, object);
     await shown(card);
     const picture = await pixels(card);
     assert.equal(picture.side, 200);
     const drawn = overWhite(picture);
-    const poster = mse1e4(drawn, await decoded(object.poster));
+    const poster = mse1e4(drawn, await decoded(page, object.poster));
     assert.ok(poster < 3, `${object.slug}: ${poster} from its poster, a JPEG`);
     const certificate = JSON.parse(fs.readFileSync(path.join(folder, `models/${object.slug}/certificate.json`), 'utf8'));
-    const original = mse1e4(drawn, await decoded(object.series.manifest.replace('series.json', 'frame-00-00.jpg')));
+    const original = mse1e4(drawn, await decoded(page, object.series.manifest.replace('series.json', 'frame-00-00.jpg')));
     assert.ok(original < certificate.measure.worstMse1e4 + 2, `${object.slug}: ${original} from its original`);
   }
 });
 
 test('a card switches to pictures of one axis and of two, and says what they cost', async () => {
   const [object] = objects;
-  const card = cardOf(object);
+  const card = cardOf(page, object);
   await shown(card);
   const facts = () => card.locator('[part="facts"]').textContent();
   const threeD = [await facts(), await pixels(card)];
@@ -74,7 +55,7 @@ test('a card switches to pictures of one axis and of two, and says what they cos
   await page.waitForTimeout(300);
   assert.equal(await facts(), `${(one / 1e3).toFixed(1)} KB, error ${manifest.turningMse1e4.toFixed(2)}`);
   const frame = await pixels(card);
-  assert.ok(mse1e4(frame.data, await decoded(object.series.manifest.replace('series.json', 'frame-00-00.jpg'))) === 0);
+  assert.ok(mse1e4(frame.data, await decoded(page, object.series.manifest.replace('series.json', 'frame-00-00.jpg'))) === 0);
   const hand = await pictureOf(card).boundingBox();
   const drag = async (right, down) => {
     await page.mouse.move(hand.x + 100, hand.y + 100);
@@ -103,7 +84,12 @@ test('the page says what it weighs', async () => {
   assert.equal(rows[0][2], `${(total / 1e3).toFixed(1)} KB`);
   const jpeg = rows.find(([name]) => name.startsWith('32 pictures, JPEG'));
   assert.equal(jpeg[2], weight.series.jpeg90[32] < 999950 ? `${(weight.series.jpeg90[32] / 1e3).toFixed(1)} KB` : `${(weight.series.jpeg90[32] / 1e6).toFixed(1)} MB`);
-  await page.getByText(/Decoding took \d+ ms/).waitFor();
+  await page.getByText(/first object was there after [\d.]+ s; decoding one took \d+ ms/).waitFor();
+  const { visits } = weight.measured; // of tools/page_speed.mjs
+  const waits = await page.locator('table').nth(1).locator('tbody tr').evaluateAll((all) => all.map((row) => row.children[3].textContent));
+  assert.deepEqual(visits.map(({ view, megabits }) => [view, megabits]), ['3d', 'series'].flatMap((view) => [1.6, 10, 50].map((line) => [view, line])));
+  visits.forEach(({ first }, i) => assert.ok(first > 0 && Math.abs(parseFloat(waits[i]) / first - 1) < 0.1, `${waits[i]} for ${first}`));
+  assert.ok(visits[0].bytes.first > visits[3].bytes.first + weight.decoder.gzip / 2, 'pictures need no decoder');
 });
 
 test('axe finds no serious fault, light or dark', async () => {

@@ -35,9 +35,9 @@ for (const file of ['index.html', 'embed.html'])
 await cp(join(here, 'gallery.css'), join(out, 'gallery.css'));
 await cp(join(here, 'node_modules/three/LICENSE'), join(out, 'three.LICENSE.txt'));
 
-const DECODER = ['draco_decoder.wasm', 'draco_wasm_wrapper.js'];
+const DRACO = ['draco_decoder.wasm', 'draco_wasm_wrapper.js'];
 await mkdir(join(out, 'draco'), { recursive: true });
-for (const file of DECODER) await cp(join(here, 'node_modules/three/examples/jsm/libs/draco/gltf', file), join(out, 'draco', file));
+for (const file of DRACO) await cp(join(here, 'node_modules/three/examples/jsm/libs/draco/gltf', file), join(out, 'draco', file));
 
 // X3DOM's package brings no text of its licence.
 await mkdir(join(out, 'x3dom'), { recursive: true });
@@ -50,8 +50,10 @@ async function weigh(names) {
   const sum = (/** @type {(file: Buffer) => number} */ size) => files.reduce((total, file) => total + size(file), 0);
   return { bytes: sum((file) => file.length), gzip: sum((file) => gzipSync(file, { level: 9 }).length) };
 }
+/** @param {string[]} files */
+const decoder = async (files) => ({ files, ...(await weigh(files)) });
 const sizes = {
   viewer: await weigh(['index.html', 'gallery.css', 'gallery.js', 'vitrine-thumbnail.js']),
-  decoder: await weigh(DECODER.map((file) => `draco/${file}`)),
+  decoders: { web: await decoder(DRACO.map((file) => `draco/${file}`)), meshopt: await decoder(['meshopt.js']) }, // by profile
 };
 await writeFile(join(out, 'sizes.json'), `${JSON.stringify(sizes, null, 1)}\n`);

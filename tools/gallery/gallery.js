@@ -4,7 +4,7 @@
 // whose script loads meanwhile.
 import { makeCard, shownFile, textElement } from './card.js';
 import { byteText, countText } from './text.js';
-import { decodingText, weightTable, weightText } from './weight.js';
+import { hereText, waitTable, weightTable, weightText } from './weight.js';
 
 /** @typedef {import('./card.js').GalleryObject} GalleryObject */
 /** @typedef {{ object: GalleryObject, element: HTMLElement, words: string }} Card */
@@ -68,26 +68,49 @@ function offerSeries(objects) {
   byId('view-2').hidden = !objects.some(({ series }) => (series?.rows ?? 1) > 1);
 }
 
-/** @param {import('./weight.js').PageWeight} page */
-function showWeight(page) {
-  const weight = byId('weight');
-  const decoding = textElement('p', '');
+/** A table that may be wider than the page. @param {string} name @param {HTMLTableElement} table */
+function scrolled(name, table) {
   const scroll = document.createElement('div');
   scroll.className = 'scroll';
   scroll.tabIndex = 0;
   scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', 'What this page weighs');
-  scroll.append(weightTable(page));
-  weight.append(textElement('p', weightText(page)), scroll, decoding);
+  scroll.setAttribute('aria-label', name);
+  scroll.append(table);
+  return scroll;
+}
+
+/** @param {import('./weight.js').PageWeight} page */
+function showWeight(page) {
+  const weight = byId('weight');
+  const here = textElement('p', '');
+  weight.append(textElement('p', weightText(page)), scrolled('What this page weighs', weightTable(page)));
+  if (page.measured) {
+    weight.append(textElement('p', `Waited for, in Chromium with an empty cache; decoding one object took ${Math.round(page.measured.decoding)} ms:`));
+    weight.append(scrolled('How long visitors wait', waitTable(page.measured.visits)));
+  }
+  weight.append(here);
   weight.hidden = false;
   weight.addEventListener('toggle', () => {
     const { statistics } = /** @type {any} */ (customElements.get('vitrine-thumbnail') ?? { statistics: { decodings: [] } });
-    decoding.textContent = decodingText(statistics.decodings);
+    here.textContent = hereText(statistics);
   });
+}
+
+/** Asks for the decoder before the viewer, which is long, is there to ask. @param {import('./weight.js').PageWeight} [page] */
+function preloadDecoder(page) {
+  if (!page || page.plain) return;
+  for (const file of page.decoder?.files ?? []) {
+    const link = document.createElement('link');
+    if (file === 'meshopt.js') link.rel = 'modulepreload';
+    else Object.assign(link, { rel: 'preload', as: 'fetch', crossOrigin: 'anonymous' });
+    link.href = `viewer/${file}`;
+    document.head.append(link);
+  }
 }
 
 async function main() {
   const { objects, page } = await readGallery();
+  preloadDecoder(page);
   /** @type {Card[]} */
   const all = objects.map((/** @type {GalleryObject} */ object) => ({
     object,

@@ -26,6 +26,8 @@ let stage = null;
 let decoder = null;
 /** @type {number[]} milliseconds of each decoding */
 const decodings = [];
+/** Milliseconds after which the page's first object was drawn; 0: not yet. */
+let first = 0;
 
 /** The one value of a list that an attribute names, else the first. @template T @param {readonly T[]} list @param {any} value @returns {T} */
 const among = (list, value) => (list.includes(value) ? value : list[0]);
@@ -39,7 +41,7 @@ export class VitrineThumbnail extends HTMLElement {
   /** What all thumbnails of the page take. */
   static get statistics() {
     const { geometries = 0, textures = 0 } = stage?.memory ?? {};
-    return { live: live.size, contexts: stage ? 1 : 0, geometries, textures, decodings: [...decodings] };
+    return { live: live.size, contexts: stage ? 1 : 0, geometries, textures, decodings: [...decodings], first };
   }
 
   orbit = new Orbit();
@@ -221,6 +223,7 @@ export class VitrineThumbnail extends HTMLElement {
 
   /** Called by the stage. */
   drawn() {
+    first ||= performance.now();
     this.#show(true);
   }
 

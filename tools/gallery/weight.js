@@ -6,6 +6,10 @@ import { byteText } from './text.js';
 
 /** @typedef {{ bytes: number, gzip: number }} Size */
 /**
+ * What tools/page_speed.mjs found: seconds until the first poster, the first object and all in view were there.
+ * @typedef {{ view: string, megabits: number, latency: number, poster: number, first: number, all: number }} Visit
+ */
+/**
  * The key `page` of gallery.json.
  * @typedef {object} PageWeight
  * @property {number} objects
@@ -14,7 +18,8 @@ import { byteText } from './text.js';
  * @property {number} posters
  * @property {Record<string, Record<string, number>>} series  bytes by coding and frames
  * @property {Size} [viewer]
- * @property {Size} [decoder]
+ * @property {Size & { files: string[] }} [decoder]  of the profile, where it needs one
+ * @property {{ decoding: number, visits: Visit[] }} [measured]  milliseconds an object, and visits over slow lines
  */
 
 const BANDWIDTHS = [1.6, 10, 50]; // Mbit/s: slow 3G, a phone, a line at home
@@ -44,38 +49,50 @@ function line(name, code, objects, count) {
   return row([name, byteText(first), byteText(all), ...BANDWIDTHS.map((b) => secondsText(seconds(first, b))), ...BANDWIDTHS.map((b) => secondsText(seconds(all, b)))], 'td');
 }
 
+/** @param {HTMLTableRowElement} head @param {HTMLTableRowElement[]} lines */
+function tableOf(head, lines) {
+  const table = document.createElement('table');
+  table.createTHead().append(head);
+  table.createTBody().append(...lines);
+  return table;
+}
+
 /** What objects in 3D weigh. @param {PageWeight} page */
 function threeD({ viewer, decoder, thumbnails, plain }) {
-  if (plain) return { code: viewer?.gzip ?? 0, name: '3D, with viewer', thumbnails: plain.thumbnails };
-  return { code: (viewer?.gzip ?? 0) + (decoder?.gzip ?? 0), name: '3D, with viewer and decoder', thumbnails };
+  const code = viewer?.gzip ?? 0;
+  if (plain) return { code, name: '3D, with viewer', thumbnails: plain.thumbnails };
+  return decoder ? { code: code + decoder.gzip, name: '3D, with viewer and decoder', thumbnails } : { code, name: '3D, with viewer', thumbnails };
 }
 
 /** @param {PageWeight} page */
 export function weightTable(page) {
   const { code, name, thumbnails } = threeD(page);
-  const table = document.createElement('table');
   const bands = BANDWIDTHS.map((b) => `${b} Mbit/s`);
-  const head = document.createElement('thead'), body = document.createElement('tbody');
-  head.append(row(['', 'first object', `all ${page.objects}`, ...bands.map((b) => `first at ${b}`), ...bands.map((b) => `all at ${b}`)], 'th'));
-  body.append(line(name, code, thumbnails, page.objects));
+  const lines = [line(name, code, thumbnails, page.objects)];
   for (const [coding, sums] of Object.entries(page.series))
     for (const [frames, bytes] of Object.entries(sums))
-      body.append(line(`${frames} pictures, ${CODINGS[/** @type {keyof CODINGS} */ (coding)] ?? coding}`, 0, bytes, page.objects));
-  table.append(head, body);
-  return table;
+      lines.push(line(`${frames} pictures, ${CODINGS[/** @type {keyof CODINGS} */ (coding)] ?? coding}`, 0, bytes, page.objects));
+  return tableOf(row(['', 'first object', `all ${page.objects}`, ...bands.map((b) => `first at ${b}`), ...bands.map((b) => `all at ${b}`)], 'th'), lines);
+}
+
+/** How long visitors waited. @param {Visit[]} visits */
+export function waitTable(visits) {
+  const lines = visits.map(({ view, megabits, latency, poster, first, all }) =>
+    row([view === '3d' ? '3D' : 'pictures, one axis', `${megabits} Mbit/s, ${latency} ms`, ...[poster, first, all].map(secondsText)], 'td'));
+  return tableOf(row(['measured', 'line', 'first poster', 'first object', 'all in view'], 'th'), lines);
 }
 
 /** In words, above the table. @param {PageWeight} page */
 export function weightText(page) {
   const viewer = byteText(page.viewer?.gzip ?? 0), decoder = byteText(page.decoder?.gzip ?? 0), { thumbnails } = threeD(page);
   const parts = page.plain ? `Thumbnails ${byteText(thumbnails)} without Draco, as its decoder, ${decoder}, would not be worth it; viewer ${viewer}`
-    : `Thumbnails ${byteText(thumbnails)}, viewer ${viewer}, Draco decoder ${decoder}`;
+    : `Thumbnails ${byteText(thumbnails)}, viewer ${viewer}${page.decoder ? `, decoder ${decoder}` : ''}`;
   return `${parts} (code as by gzip); posters ${byteText(page.posters)} beside, whichever is shown. Of series of pictures no code is counted.`;
 }
 
-/** @param {number[]} decodings milliseconds */
-export function decodingText(decodings) {
+/** What this visit took. @param {{ decodings: number[], first: number }} statistics  milliseconds */
+export function hereText({ decodings, first }) {
   if (decodings.length === 0) return '';
   const middle = [...decodings].sort((a, b) => a - b)[decodings.length >> 1];
-  return `Decoding took ${Math.round(middle)} ms an object here (median of ${decodings.length}).`;
+  return `Here the first object was there after ${secondsText(first / 1000)}; decoding one took ${Math.round(middle)} ms (median of ${decodings.length}).`;
 }

@@ -112,6 +112,7 @@ struct Charts {
 
 void publish_tables(Study const& study, std::filesystem::path const& folder) {
   std::vector<Table> tables{table1(study), table2(study), table3(study), table4(study), verdicts(study), page_table(study.gallery)};
+  if (Table waited = wait_table(study.gallery); !waited.rows.empty()) tables.push_back(std::move(waited));
   if (!study.ablation.empty()) tables.push_back(ablation(study));
   for (Table const& table : tables) {
     io::publish_file(folder / (table.name + ".csv"), to_csv(table));
@@ -129,7 +130,7 @@ void publish_charts(Study const& study, Charts const& charts, std::filesystem::p
 
 std::string head() {
   return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width,initial-scale=1\">\n<title>3D thumbnails against image series</title>\n<style>" +
+         "content=\"width=device-width,initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n<title>3D thumbnails against image series</title>\n<style>" +
          std::string(chart_style()) + std::string(kStyle) + "</style></head>\n";
 }
 
@@ -143,6 +144,7 @@ std::string body(Study const& study, Charts const& charts, Pictures const& pictu
   if (Table const page = page_table(study.gallery); !page.rows.empty())
     out += "<h2>What visitors load</h2>\n<p>Code is counted once, as by gzip; posters, which both have, are not. Times are those of the bytes alone.</p>\n" +
            section(page);
+  if (Table const waited = wait_table(study.gallery); !waited.rows.empty()) out += section(waited);
   if (!study.ablation.empty()) out += "<h2>The search</h2>\n" + section(ablation(study));
   out += "<h2>Model by model</h2>\n<p>Figure 5: original, thumbnail, and their squared difference times 8.</p>\n";
   for (std::size_t m = 0; m < study.gallery.models.size(); ++m) out += model_section(study, pictures, m);

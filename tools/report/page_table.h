@@ -11,4 +11,7 @@ namespace vitrine::report {
 /// decoder count (by gzip), posters do not, and series are shown without code. Without rows where report.json does not say.
 Table page_table(Gallery const& gallery);
 
+/// Seconds that visitors waited in Chromium, where tools/page_speed.mjs measured the gallery; else without rows.
+Table wait_table(Gallery const& gallery);
+
 }  // namespace vitrine::report
