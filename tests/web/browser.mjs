@@ -11,14 +11,17 @@ const TYPES = {
   '.jpg': 'image/jpeg',
 };
 
-const typeOf = (name) => ({ 'content-type': TYPES[path.extname(name)] ?? 'application/octet-stream' });
+// Packages stay what they are: pages that are opened again need not load their hundreds of modules again.
+const headersOf = (url) => ({
+  'content-type': TYPES[path.extname(url)] ?? 'application/octet-stream', ...(/^\/(node_modules|three)\//.test(url) && { 'cache-control': 'max-age=3600' }),
+});
 
 // Serves the files of each folder in { '/prefix/': folder }, compressed where `gzip` says so; before them what functions in
 // { '/path': () => body } answer.
 export async function serve(mounts, { gzip = false, answers = {} } = {}) {
   const server = http.createServer(async (request, response) => {
     const url = decodeURIComponent(new URL(request.url, 'http://127.0.0.1').pathname);
-    const send = (body) => response.writeHead(200, gzip ? { ...typeOf(url), 'content-encoding': 'gzip' } : typeOf(url)).end(gzip ? zlib.gzipSync(body, { level: 9 }) : body);
+    const send = (body) => response.writeHead(200, gzip ? { ...headersOf(url), 'content-encoding': 'gzip' } : headersOf(url)).end(gzip ? zlib.gzipSync(body, { level: 9 }) : body);
     if (answers[url]) {
       send(await answers[url]());
       return;
