@@ -127,10 +127,7 @@ class Search : private Inquiry {
 
   /// What is best for others need not be best for files of the size that the error needs.
   Answer choose_size() {
-    if (options_.max_error == 0 || subject_.fixed_triangles > 0) return Answer::worse;
-    for (int nearer = 0; nearer < 2; ++nearer)
-      if (resize() == Answer::none) return Answer::none;
-    return Answer::worse;
+    return options_.max_error > 0 && subject_.fixed_triangles == 0 ? resize() : Answer::worse;
   }
 
   Answer choose_colour_quadrics() {

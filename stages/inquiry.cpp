@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
@@ -135,7 +136,7 @@ std::optional<Recipe> Inquiry::land() {
   for (int landing = 0; landing < kLandings && !like.empty(); ++landing) {
     std::optional<int> const extent = by_error ? extent_for_error(like, limits) : triangles_for_bytes(like, limits);
     if (!extent) return {};
-    asked_ = of_extent(*extent);
+    asked_ = of_extent(history_[best_], *extent);
     if (answered_ == history_.size()) return asked_;
     if (is_like(history_[answered_])) like.push_back(history_[answered_]);
     ++answered_;
@@ -143,16 +144,15 @@ std::optional<Recipe> Inquiry::land() {
   return {};
 }
 
-/// The best one, larger or smaller; all triangles stay as long as they leave the map its share.
-Recipe Inquiry::of_extent(int wanted) const {
-  Recipe recipe = best();
+Recipe Inquiry::of_extent(Trial const& like, int wanted) const {
+  Recipe recipe = like.recipe;
   if (!is_filled(recipe)) {
     recipe.triangles = wanted;
     return recipe;
   }
   double const growth = double(wanted) / recipe.ceiling;
-  double const room = (wanted * (1 - kMapShare) - kHeaderBytes) / bytes_per_triangle(history_[best_]);
-  double const triangles = is_whole(history_[best_]) ? room : recipe.triangles * growth;
+  double const room = (wanted * (1 - kMapShare) - kHeaderBytes) / bytes_per_triangle(like);
+  double const triangles = is_whole(like) ? room : recipe.triangles * growth;
   recipe.triangles = bounded(int(std::clamp(triangles, 0.0, double(most()))));
   recipe.ceiling = wanted;
   recipe.texture = std::clamp(int(recipe.texture * std::sqrt(growth)), kSmallestTexture, largest_texture(recipe));
@@ -160,7 +160,7 @@ Recipe Inquiry::of_extent(int wanted) const {
 }
 
 bool Inquiry::is_like(Trial const& trial) const {
-  return trial.recipe == of_extent(extent(trial.recipe)) && !std::isinf(trial.error);
+  return trial.recipe == of_extent(history_[best_], extent(trial.recipe)) && !std::isinf(trial.error);
 }
 
 bool Inquiry::is_tried(Recipe const& recipe) const {
@@ -168,21 +168,37 @@ bool Inquiry::is_tried(Recipe const& recipe) const {
   return std::any_of(tried.begin(), tried.end(), [&](Trial const& trial) {
     Recipe alike = trial.recipe;
     if (std::abs(alike.triangles - recipe.triangles) <= kSame * recipe.triangles) alike.triangles = recipe.triangles;
+    if (!is_filled(recipe)) alike.ceiling = recipe.ceiling;
     return alike == recipe;
   });
 }
 
 Inquiry::Answer Inquiry::resize() {
-  double const needed = usual_ * std::pow(history_[best_].error / options_.max_error, 1 / kErrorPower);
-  double const size = std::clamp(needed, std::min(1.0 * kSmallestFile, ceiling()), ceiling());
-  if (std::abs(std::log(size / usual_)) < kMiss) return Answer::worse;
-  usual_ = size;
-  Recipe recipe = of_extent(is_filled(best()) ? int(size) : affordable(best()));
-  recipe.ceiling = int(size);
-  if (is_tried(recipe)) return Answer::worse;
-  Answer const answer = answer_to(recipe);
-  if (answer != Answer::none) best_ = answered_ - 1;
-  return answer;
+  constexpr int kMost = 2;
+  std::size_t const like = best_;
+  std::optional<std::size_t> before;
+  for (int resized = 0; resized < kMost; ++resized) {
+    double const needed = bytes_for_error(history_[best_], before ? &history_[*before] : nullptr);
+    double const size = std::clamp(needed, std::min(1.0 * kSmallestFile, ceiling()), ceiling());
+    if (std::abs(std::log(size / usual_)) < kMiss) break;
+    usual_ = size;
+    Recipe recipe = of_extent(history_[like], is_filled(best()) ? int(size) : affordable(best()));
+    recipe.ceiling = int(size);
+    if (is_tried(recipe)) break;
+    if (answer_to(recipe) == Answer::none) return Answer::none;
+    before = std::exchange(best_, answered_ - 1);
+  }
+  return Answer::worse;
+}
+
+/// By the power of the bytes with which error fell between two trials, or usually falls.
+double Inquiry::bytes_for_error(Trial const& here, Trial const* before) const {
+  constexpr double kLeastPower = 0.5, kMostPower = 6;
+  double power = kErrorPower;
+  if (before && before->bytes != here.bytes)
+    power = std::log(before->error / here.error) / std::log(double(here.bytes) / double(before->bytes));
+  double const excess = std::max(here.error, 1e-6) / options_.max_error;
+  return double(here.bytes) * std::pow(excess, 1 / (power > 0 ? std::clamp(power, kLeastPower, kMostPower) : kErrorPower));
 }
 
 }  // namespace vitrine

@@ -40,7 +40,8 @@ class Inquiry {
   Answer answer_to(Recipe recipe);
   /// One way as long as that pays, else the other way.
   Answer walk(Answer (Inquiry::*question)(Recipe), Change one, Change other, int steps = kSteps);
-  /// From here on files of about as many bytes as the error needs are compared.
+  /// From here on files of about as many bytes as the error needs are compared: found by making the best one larger or
+  /// smaller.
   Answer resize();
 
   /// At the end: as many triangles as the limit allows, or as few as it needs. Nothing when that is found.
@@ -59,7 +60,9 @@ class Inquiry {
   int beside(double map_bytes, Recipe const& recipe) const;
   int bounded(int triangles) const;
   double cost(Trial const& trial) const;
-  Recipe of_extent(int wanted) const;
+  double bytes_for_error(Trial const& here, Trial const* before) const;
+  /// Made larger or smaller; all triangles stay as long as they leave the map its share.
+  Recipe of_extent(Trial const& like, int wanted) const;
   bool is_like(Trial const& trial) const;
   /// With as many triangles, nearly.
   bool is_tried(Recipe const& recipe) const;

@@ -146,6 +146,16 @@ TEST(Fit, FindsTheSmallestFileBelowAnError) {
   EXPECT_GE(best.error, 0.28);
 }
 
+TEST(Fit, ComesBackFromFilesTooSmallForAnError) {  // where error falls faster than any usual power of the bytes
+  World steep;
+  steep.penalty = [](Recipe const& r) {
+    return std::pow(1300.0 / r.triangles, 4) * (r.painting == Painting::map ? 0.002 : 1);
+  };
+  Trial const best = winner({1300, true, true}, {.max_kb = 16, .max_error = 0.01}, steep);
+  EXPECT_LE(best.error, 0.01);
+  EXPECT_LT(best.bytes, 5500u);
+}
+
 TEST(Fit, GrowsTheMapAsAnErrorNeedsWhereTheOriginalHasNoMoreTriangles) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 5000.0 / r.ceiling : 4; };
