@@ -118,6 +118,18 @@ test('the wheel scrolls the page, and zooms where a picture has been chosen', as
   await page.waitForFunction((before) => scrollY !== before, scroll);
 });
 
+test('one finger turns', async () => {
+  const { card, x, y } = await handsOn(place('painted_facets'));
+  const before = await pixels(card);
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+  await touch('touchStart', [{ x, y }]);
+  for (const right of [20, 40]) await touch('touchMove', [{ x: x + right, y }]);
+  await touch('touchEnd', []);
+  assert.ok(change(before, await pixels(card)) > 0.05);
+  assert.equal(await card.evaluate((e) => e.camera.azimuth), 324);
+});
+
 test('two fingers zoom', async () => {
   const { card, x, y } = await handsOn(place('cube'));
   const client = await page.context().newCDPSession(page);
@@ -184,7 +196,24 @@ test('search and sort', async () => {
   await page.selectOption('#sort', 'bytes');
   const bytes = await page.locator('vitrine-thumbnail').evaluateAll((all) => all.map((e) => Number(e.getAttribute('bytes'))));
   assert.deepEqual(bytes, [...bytes].sort((a, b) => a - b));
+  await page.selectOption('#sort', 'error');
+  const errors = await page.locator('vitrine-thumbnail').evaluateAll((all) => all.map((e) => Number(e.getAttribute('error'))));
+  assert.deepEqual(errors, [...errors].sort((a, b) => a - b));
   await page.selectOption('#sort', 'name');
+  assert.deepEqual(await titles(), [...byTriangles].sort());
+});
+
+test('what is chosen above goes for every card', async () => {
+  const states = async () => [...new Set(await page.locator('vitrine-thumbnail').evaluateAll((all) =>
+    all.map((e) => [e.mode, e.getAttribute('rotation'), e.getAttribute('light')].join(' '))))];
+  await page.selectOption('select[name="mode"]', 'white');
+  await page.check('input[name="rotation"]');
+  await page.check('input[name="light"]');
+  assert.deepEqual(await states(), ['white free pointer']);
+  await page.selectOption('select[name="mode"]', 'shaded');
+  await page.uncheck('input[name="rotation"]');
+  await page.uncheck('input[name="light"]');
+  assert.deepEqual(await states(), ['shaded  ']);
 });
 
 test('the link to the full model takes the camera along', async () => {
