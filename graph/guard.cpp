@@ -233,13 +233,13 @@ class Guard {
       if (child_) child_->kill();
       return;
     }
-    listener_.say("stopping: " + std::to_string(in_flight_.size()) + " models are under way; once more to stop at once");
-    stop(Ending::interrupted, std::string("stopped by SIG") + sigabbrev_np(signal));
+    stop(Ending::interrupted, std::string("stopped by SIG") + sigabbrev_np(signal), "; once more to stop at once");
   }
 
   /// What is under way is finished, nothing else begun.
-  void stop(Ending ending, std::string const& reason) {
+  void stop(Ending ending, std::string const& reason, std::string const& advice = {}) {
     if (stopping_) return;
+    listener_.say(reason + ": finishing " + std::to_string(in_flight_.size()) + " models that are under way" + advice);
     stopping_ = true;
     report_.ending = ending;
     report_.reason = reason;
@@ -247,8 +247,8 @@ class Guard {
   }
 
   void end(Ending ending, std::string const& reason) {
-    stop(ending, reason);
-    ended_ = true;
+    if (!stopping_) report_.ending = ending, report_.reason = reason;
+    stopping_ = ended_ = true;
   }
 
   /// A worker died before it was through.
