@@ -11,10 +11,11 @@ template <class T>
 struct adl_serializer<std::optional<T>> {
   static void to_json(json& out, std::optional<T> const& value) { out = value ? json(*value) : json(); }
   static void from_json(json const& in, std::optional<T>& value) {
-    if (in.is_null())
-      value.reset();
-    else
-      value = in.get<T>();
+    value.reset();
+    if (in.is_null()) return;
+    T made{};  // no get<T>: clang 14 takes a nested class with initialisers for not default constructible
+    in.get_to(made);
+    value = std::move(made);
   }
 };
 
