@@ -104,7 +104,7 @@ std::vector<Corners> corners(io::VertexMesh const& mesh) {
       triangle[c] = {p.x,       p.y,       p.z,       uv.x,     uv.y,     tangent.x,
                      tangent.y, tangent.z, tangent.w, colour.x, colour.y, colour.z};
     }
-    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     all.push_back(triangle);
   }
   std::ranges::sort(all);
