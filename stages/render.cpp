@@ -33,6 +33,9 @@ class Painter {
     to_light_ = V3f(to_light.normalized());
     all_grey_ = options.grey && options.occlusion != Occlusion::colour;
     block_ = kBlock / options.supersample;
+    int const n = options.supersample, side = block_ * n;
+    for (int i = 0; i < side * side; ++i)
+      spots_[std::size_t(i)] = {i % side, i / side, std::size_t(i / side / n * block_ + i % side / n)};
     lanes_by_face_ = kBlock % options.supersample == 0 && options.occlusion == Occlusion::none &&
                      model.model->mesh.triangles.size() >= kManyFaces && !model.model->normals.empty() &&
                      !model.surface.mapped() && !(options.grey && model.surface.unlit());
@@ -57,6 +60,11 @@ class Painter {
     std::array<std::uint8_t, kLanes> places;  ///< in the block
     Samples samples;
   };
+  /// Where a sample lies in its block.
+  struct Spot {
+    int column, row;
+    std::size_t pixel;
+  };
   using Seen = std::array<std::uint32_t, kLanes>;  ///< faces, by the samples' places
 
   void draw_faces(DepthBuffer const& buffer, Image& picture) const {
@@ -74,7 +82,7 @@ class Painter {
   void draw_block(Image& picture, int x, int y, DepthBuffer const& buffer, SeenFaces& faces) const {
     int const n = options_.supersample, side = block_ * n;
     Seen seen;
-    for (int i = 0; i < side * side; ++i) seen[i] = buffer.face(n * x + i % side, n * y + i / side);
+    for (int i = 0; i < side * side; ++i) seen[i] = buffer.face(n * x + spots_[i].column, n * y + spots_[i].row);
     Block block{x, y, 0, {}, {}};
     if (lanes_by_face_)
       look_at_samples(seen, block);
@@ -86,11 +94,11 @@ class Painter {
   }
 
   void put(Image& picture, Block const& block) const {
-    int const n = options_.supersample, side = block_ * n;
+    int const n = options_.supersample;
     std::array<std::array<int, 4>, kLanes> sums;
     sums.fill({255 * n * n, 255 * n * n, 255 * n * n, 0});
     for (std::size_t i = 0; i < block.covered; ++i) {
-      auto& [r, g, b, covered] = sums[std::size_t(block.places[i] / side / n * block_ + block.places[i] % side / n)];
+      auto& [r, g, b, covered] = sums[spots_[block.places[i]].pixel];
       auto const& colour = block.samples.colour;
       int const red = srgb_byte(colour[0][i]) - 255;
       r += red;
@@ -151,9 +159,10 @@ class Painter {
 
   /// One more ray, through a sample of the block.
   void aim(Rays& rays, int place, Block const& block) const {
-    int const n = options_.supersample, side = block_ * n;
-    rays.column[rays.count] = float(n * block.x + place % side);
-    rays.row[rays.count++] = float(n * block.y + place / side);
+    int const n = options_.supersample;
+    Spot const& spot = spots_[std::size_t(place)];
+    rays.column[rays.count] = float(n * block.x + spot.column);
+    rays.row[rays.count++] = float(n * block.y + spot.row);
   }
 
   /// Puts samples behind those that are there.
@@ -271,6 +280,7 @@ class Painter {
   Lens lens_;
   V3f to_light_;
   int block_;  ///< pixels of a block's side
+  std::array<Spot, kLanes> spots_{};
   bool lanes_by_face_, all_grey_;
 };
 
