@@ -53,9 +53,15 @@ void Chronicle::say(std::string const& line) {
     fmt::print(stderr, "{}\n", line);
 }
 
+/// Nothing where the model has left the archive since.
+double Chronicle::cost_of(std::string const& slug) const {
+  io::ArchiveEntry const* const entry = night_.entry(slug);
+  return entry ? cost(*entry) : 0;
+}
+
 void Chronicle::converting() {
   double total = 0;
-  for (auto const& [slug, why] : night_.todo()) total += cost(*night_.entry(slug));
+  for (auto const& [slug, why] : night_.todo()) total += cost_of(slug);
   if (!night_.todo().empty()) progress_.emplace(night_.todo().size(), total, live_);
   write_status("running");
 }
@@ -64,7 +70,7 @@ void Chronicle::left(Record const& record) {
   ModelRow const& row = record.row;
   bool const failed = row.status != "done";
   stages_.erase(row.slug);
-  if (progress_) progress_->finished(cost(*night_.entry(row.slug)), failed);
+  if (progress_) progress_->finished(cost_of(row.slug), failed);
   if (!log_.is_open()) return;
   json line = {{"time", utc(1000 * std::int64_t(std::time(nullptr)))}, {"event", row.status}, {"model", row.input}, {"bytes", row.bytes.total}};
   if (failed) line.update({{"stage", row.failure.stage}, {"reason", row.failure.reason}, {"remedy", row.failure.remedy}});

@@ -34,6 +34,7 @@ class Chronicle {
   void end(std::string const& state);
 
  private:
+  double cost_of(std::string const& slug) const;
   nlohmann::json status(std::string const& state) const;
   void write_status(std::string const& state);
 
