@@ -13,7 +13,10 @@
 
 namespace vitrine {
 
+/// Of an item.
 using Key = std::array<std::uint32_t, 3>;
+
+namespace detail {
 
 inline std::uint32_t hash(Key const& key) {
   std::uint64_t h = (key[0] | std::uint64_t{key[1]} << 32) * 0x9e3779b97f4a7c15u;
@@ -47,10 +50,12 @@ Groups group_by_hash(std::size_t n, KeyOf const& key_of) {
   return groups;
 }
 
+}  // namespace detail
+
 /// For each of n items, below 2^32, the first one with the same key; key_of(i) -> Key.
 template <class KeyOf>
 std::vector<std::uint32_t> first_equal(std::size_t n, KeyOf const& key_of) {
-  Groups const groups = group_by_hash(n, key_of);
+  detail::Groups const groups = detail::group_by_hash(n, key_of);
   std::vector<std::uint32_t> const &items = groups.items, &hashes = groups.hashes;
   std::vector<std::size_t> const& begins = groups.begins;
   constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
