@@ -53,35 +53,50 @@ function pageOf(viewer, { centre, radius }) {
   return text.replace(element, AZIMUTHS.map(own).join('\n'));
 }
 
-// Screenshots of all elements once they show something that changes no more. `glb` stands where the example has its own.
-async function show(viewer, sphere, glb) {
+// In the page: whether all of its elements have drawn their model.
+const READY = {
+  three: () => [...document.querySelectorAll('canvas')].every((canvas) => canvas.width === canvas.clientWidth * devicePixelRatio), // its size comes last
+  babylon: async () => {
+    const { EngineStore } = await import('/node_modules/@babylonjs/core/Engines/engineStore.js');
+    const scenes = EngineStore.Instances.flatMap((engine) => engine.scenes);
+    if (scenes.length < document.querySelectorAll('canvas').length || !scenes.every((scene) => scene.meshes.length > 0 && scene.isReady())) return false;
+    await Promise.all(scenes.map((scene) => new Promise((done) => { scene.onAfterRenderObservable.addOnce(done); }))); // without what was missing
+    return true;
+  },
+  'model-viewer': () => [...document.querySelectorAll('model-viewer')].every((element) => element.modelIsVisible),
+};
+
+// The page opened, in a tab that complains; what would change its pictures by itself is turned off.
+async function open(viewer, sphere, glb) {
   const page = await context.newPage();
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()); });
   page.on('request', (request) => { if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(server.url)) complaints.push(`foreign: ${request.url()}`); });
-  let send;
-  const seenEmpty = new Promise((done) => { send = () => done(glb); });
-  answers['/example.html'] = () => pageOf(viewer, sphere);
-  answers['/gallery/models/lion/poster.jpg'] = () => fs.readFileSync(path.join(gallery, rows[0].poster));
-  const asked = new Promise((done) => { answers['/gallery/models/lion/thumb.glb'] = () => { done(); return seenEmpty; }; });
+  Object.assign(answers, {
+    '/example.html': () => pageOf(viewer, sphere), '/gallery/models/lion/thumb.glb': () => glb, '/gallery/models/lion/poster.jpg': () => fs.readFileSync(path.join(gallery, rows[0].poster)),
+  });
   await page.goto(`${server.url}/example.html`, { timeout: PATIENCE });
-  await asked;
-  const boxes = await page.evaluate(() => {
+  await page.evaluate(() => {
     const Viewer = customElements.get('model-viewer');
     if (Viewer) Viewer.minimumRenderScale = 1; // no smaller pictures where the machine is slow
-    return [...document.querySelectorAll('canvas[data-src], model-viewer')].map((element) => element.getBoundingClientRect().toJSON());
+    for (const element of document.querySelectorAll('model-viewer')) element.interactionPrompt = 'none'; // it would wave the object
   });
+  return page;
+}
+
+// Screenshots of all elements once each has drawn its model, and two in a row are the same: textures may follow the shape.
+async function show(viewer, sphere, glb) {
+  const page = await open(viewer, sphere, glb);
+  await page.waitForFunction(READY[viewer], null, { timeout: PATIENCE });
+  const boxes = await page.evaluate(() => [...document.querySelectorAll('canvas[data-src], model-viewer')].map((element) => element.getBoundingClientRect().toJSON()));
   const shoot = async () => {
-    await page.waitForTimeout(1000);
     const shots = [];
-    for (const clip of boxes) shots.push((await page.screenshot({ clip, timeout: PATIENCE })).toString('base64'));
+    for (const clip of boxes) shots.push((await page.screenshot({ clip, animations: 'disabled', timeout: PATIENCE })).toString('base64'));
     return shots;
   };
-  const blank = await shoot();
-  send();
-  for (let last = blank; ;) {
+  for (let last = []; ;) {
     const shots = await shoot();
-    if (shots.every((shot, i) => shot === last[i] && shot !== blank[i])) {
+    if (shots.every((shot, i) => shot === last[i])) {
       await page.close();
       return shots;
     }
