@@ -11,7 +11,6 @@ const ZOOM_WHEEL = 0.002;
  * @typedef {object} Receiver
  * @property {import('./orbit.js').Orbit} orbit
  * @property {() => boolean} free  whether it is turned freely, not on a turntable
- * @property {() => void} wake  it is pointed at
  * @property {(moving: boolean) => void} changed  the orbit was turned; more may follow
  * @property {(right: number, up: number) => void} pointed  the pointer is there, in the picture from -1 to 1
  * @property {() => void} left
@@ -38,8 +37,6 @@ export function listen(picture, to) {
     to.pointed(((clientX - box.left) / box.width) * 2 - 1, 1 - ((clientY - box.top) / box.height) * 2);
   };
 
-  picture.addEventListener('pointerenter', () => to.wake());
-  picture.addEventListener('focus', () => to.wake());
   picture.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     picture.setPointerCapture(event.pointerId);

@@ -155,7 +155,7 @@ export class VitrineThumbnail extends HTMLElement {
 
   #reload() {
     release(this);
-    if (this.isConnected && this.#near) request(this);
+    if (this.isConnected && this.#near) request(this, this.matches(':hover, :focus-within'));
   }
 
   /** Called when its turn has come. @param {AbortSignal} signal */
@@ -272,10 +272,10 @@ export class VitrineThumbnail extends HTMLElement {
   // ---- Hands --------------------------------------------------------------------------------------------------------
 
   #listen() {
+    for (const pointedAt of ['pointerenter', 'focusin']) this.addEventListener(pointedAt, () => request(this, true));
     listen(this.#picture, {
       orbit: this.orbit,
       free: () => this.#free,
-      wake: () => { if (this.isConnected) request(this, true); },
       changed: (moving) => this.#changed(moving),
       pointed: (right, up) => this.#shine(right, up),
       left: () => this.#shine(0, 0),
@@ -317,7 +317,6 @@ export class VitrineThumbnail extends HTMLElement {
     if (action === 'closer' || action === 'farther') this.orbit.magnify(action === 'closer' ? 1.25 : 0.8);
     if (action === 'reset') this.orbit.reset();
     if (['closer', 'farther', 'reset'].includes(action)) this.#changed(false);
-    if (this.isConnected) request(this, true);
   }
 }
 
