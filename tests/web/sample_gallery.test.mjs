@@ -2,14 +2,12 @@
 // A gallery as `vitrine convert --series` leaves it (VITRINE_WEB_GALLERY): what visitors load, see and can switch to.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { bytesUntilFirst, cardOf, change, decoded, MOST_FIRST, mse1e4, openGallery, overWhite, pictureOf, pixels, shiftOf, shown } from './gallery_page.mjs';
 
 const folder = process.env.VITRINE_WEB_GALLERY;
 const { objects, page: weight } = JSON.parse(fs.readFileSync(path.join(folder, 'gallery.json'), 'utf8'));
-const AXE = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 let page, complaints, close;
 
@@ -90,17 +88,6 @@ test('the page says what it weighs', async () => {
   assert.deepEqual(visits.map(({ view, megabits }) => [view, megabits]), ['3d', 'series'].flatMap((view) => [1.6, 10, 50].map((line) => [view, line])));
   visits.forEach(({ first }, i) => assert.ok(first > 0 && Math.abs(parseFloat(waits[i]) / first - 1) < 0.1, `${waits[i]} for ${first}`));
   assert.ok(visits[0].bytes.first > visits[3].bytes.first + weight.decoder.gzip / 2, 'pictures need no decoder');
-});
-
-test('axe finds no serious fault, light or dark', async () => {
-  for (const colorScheme of ['light', 'dark']) {
-    await page.emulateMedia({ colorScheme });
-    await page.evaluate(AXE);
-    const { violations } = await page.evaluate(() => window.axe.run({ resultTypes: ['violations'] }));
-    const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-    assert.deepEqual(serious.map(({ id, nodes }) => [colorScheme, id, nodes[0].html]), []);
-  }
-  await page.emulateMedia({ colorScheme: 'light' });
 });
 
 test('nothing moves by itself where that is not wanted', async () => {

@@ -72,7 +72,7 @@ export function weightTable(page) {
   for (const [coding, sums] of Object.entries(page.series))
     for (const [frames, bytes] of Object.entries(sums))
       lines.push(line(`${frames} pictures, ${CODINGS[/** @type {keyof CODINGS} */ (coding)] ?? coding}`, 0, bytes, page.objects));
-  return tableOf(row(['', 'first object', `all ${page.objects}`, ...bands.map((b) => `first at ${b}`), ...bands.map((b) => `all at ${b}`)], 'th'), lines);
+  return tableOf(row(['computed', 'first object', `all ${page.objects}`, ...bands.map((b) => `first at ${b}`), ...bands.map((b) => `all at ${b}`)], 'th'), lines);
 }
 
 /** How long visitors waited. @param {Visit[]} visits */
