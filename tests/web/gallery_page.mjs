@@ -112,6 +112,12 @@ export function change(a, b, by = 8) {
   return count / (a.data.length / 4);
 }
 
+// How far any pixel is from grey.
+export const hue = ({ data }) => data.reduce((most, value, i) => (i % 4 === 3 ? most : Math.max(most, Math.abs(value - data[i - (i % 4)]))), 0);
+
+// Share of the pixels that the object covers.
+export const coverage = ({ data }) => data.filter((value, i) => i % 4 === 3 && value > 0).length / (data.length / 4);
+
 // RGBA of the pixel in the middle.
 export function middle({ side, data }) {
   const i = 4 * ((side >> 1) * side + (side >> 1));
