@@ -2,8 +2,8 @@
 // Every button of a card and every field of the gallery's form, used by mouse and keys; what they change about objects is seen in pixels.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { cardAt, change, coverage, hue, middle, pixels, shown } from './gallery_page.mjs';
-import { choose, drag, files, handsOn, openHands, place } from './hands.mjs';
+import { cardAt, change, choose, coverage, hue, middle, pixels, shown } from './gallery_page.mjs';
+import { drag, files, handsOn, openHands, place } from './hands.mjs';
 
 let page, complaints, close;
 

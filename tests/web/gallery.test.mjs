@@ -5,8 +5,8 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { cardAt, change, coverage, drawn, hue, middle, pictureOf, pixels, shown } from './gallery_page.mjs';
-import { choose, drag, files, handsOn, LINK, openHands, place } from './hands.mjs';
+import { cardAt, change, choose, coverage, drawn, hue, middle, pictureOf, pixels, shown } from './gallery_page.mjs';
+import { drag, files, handsOn, LINK, openHands, place } from './hands.mjs';
 
 let gallery, page, complaints, close;
 

@@ -83,11 +83,22 @@ export const cardOf = (page, object) => page.locator(`[id="${object.slug}"] vitr
 export const cardAt = (page, index) => page.locator('vitrine-thumbnail').nth(index);
 export const pictureOf = (card) => card.locator('[part="picture"]');
 
-// Waits until the card has drawn; scrolls to it first.
+// Chooses from a list by its keys.
+export async function choose(page, list, value) {
+  const select = page.locator(list);
+  await select.focus();
+  await page.keyboard.press('Home');
+  for (let left = await select.locator('option').count(); (await select.inputValue()) !== value; --left) {
+    if (left === 0) throw new Error(`${list} has no ${value}`);
+    await page.keyboard.press('ArrowDown');
+  }
+}
+
+// Waits until the card has drawn, in place of its poster; scrolls to it first.
 export async function shown(card) {
   await card.scrollIntoViewIfNeeded();
   const deadline = Date.now() + 60000;
-  while (!(await card.evaluate((element) => element.canvas.width > 0 && !element.canvas.hidden))) {
+  while (!(await card.evaluate((element) => element.shadowRoot.querySelector('[name="poster"]').hidden))) {
     if (Date.now() > deadline) throw new Error(`not drawn: ${await card.getAttribute('problem')}`);
     await new Promise((done) => setTimeout(done, 30));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A gallery of small known thumbnails of all profiles, and hands: what a mouse and a keyboard do to its cards and its form.
+// A gallery of small known thumbnails of all profiles, and hands on its cards.
 import fs from 'node:fs';
 import path from 'node:path';
 import { glbs } from './fixtures.mjs';
@@ -39,15 +39,4 @@ export async function drag(page, { x, y }, right, down) {
   await page.mouse.down();
   await page.mouse.move(x + right, y + down, { steps: 4 });
   await page.mouse.up();
-}
-
-// Chooses from a list by its keys.
-export async function choose(page, list, value) {
-  const select = page.locator(list);
-  await select.focus();
-  await page.keyboard.press('Home');
-  for (let left = await select.locator('option').count(); (await select.inputValue()) !== value; --left) {
-    if (left === 0) throw new Error(`${list} has no ${value}`);
-    await page.keyboard.press('ArrowDown');
-  }
 }
