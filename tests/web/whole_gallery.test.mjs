@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gallery of the whole sample archive (VITRINE_WEB_GALLERY, of VITRINE_WEB_ARCHIVE) as `vitrine serve` (VITRINE) gives it to visitors.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { blockMeans, bytesUntilFirst, cardOf, decoded, MOST_FIRST, mse1e4, openGallery, overWhite, pixels, shiftOf, shown } from './gallery_page.mjs';
 
+const SIDE = 200; // pixels of a picture
 const { VITRINE: program, VITRINE_WEB_GALLERY: folder, VITRINE_WEB_ARCHIVE: archive } = process.env;
 const { objects, page: weight } = JSON.parse(fs.readFileSync(path.join(folder, 'gallery.json'), 'utf8'));
+const { rows } = JSON.parse(fs.readFileSync(path.join(folder, 'report.json'), 'utf8'));
+const lines = fs.readFileSync(path.join(archive, 'archive.csv'), 'utf8').trim().split(/\r?\n/);
 
 let server, page, complaints, close;
+
+// The first view as the measure draws it: the original, the thumbnail, and how far apart they are.
+async function measured({ thumb }) {
+  const { input } = rows.find((row) => row.thumb === thumb);
+  const up = lines.find((line) => line.startsWith(`${input},`)).split(',').at(-1);
+  const sheet = path.join(os.tmpdir(), `sheet-${process.pid}.png`);
+  const asked = ['--count', '1', '--up', up, '--json', '--sheet', sheet];
+  const { views: [{ mse1e4: error }] } = JSON.parse(execFileSync(program, ['evaluate', path.join(archive, input), path.join(folder, thumb), ...asked]));
+  const pictures = await decoded(page, `data:image/png;base64,${fs.readFileSync(sheet, 'base64')}`);
+  fs.rmSync(sheet);
+  const [original, thumbnail] = [0, 1].map((column) => pictures.filter((_, i) => Math.floor(i / 4 / SIDE) % 3 === column)); // a difference follows
+  return { original, thumbnail, error };
+}
 
 // The address that the program prints.
 async function started() {
@@ -25,7 +42,6 @@ after(async () => {
 });
 
 test('every object is there, with what archive.csv says of it', async () => {
-  const lines = fs.readFileSync(path.join(archive, 'archive.csv'), 'utf8').trim().split(/\r?\n/);
   assert.equal(await page.locator('.card').count(), objects.length);
   assert.ok(objects.length >= 10 && lines.length > objects.length / 2);
   for (const { slug, title, metadata } of objects) {
@@ -44,6 +60,17 @@ test('each first picture is its poster, and nothing moves on the way', async () 
     assert.ok(error < 0.5, `${object.slug}: ${error} from its poster`);
   }
   assert.ok(await shiftOf(page) < 0.02);
+});
+
+test('each first picture is the one that its certificate was measured on', async () => {
+  for (const object of objects) {
+    await shown(cardOf(page, object));
+    const picture = overWhite(await pixels(cardOf(page, object)));
+    const { original, thumbnail, error } = await measured(object);
+    assert.ok(mse1e4(picture, thumbnail) < 0.1, `${object.slug}: ${mse1e4(picture, thumbnail)} from the measure's picture`);
+    const found = mse1e4(picture, original);
+    assert.ok(Math.abs(found - error) < Math.max(0.05, 0.05 * error), `${object.slug}: ${found} from its original, measured ${error}`);
+  }
 });
 
 test('nothing fails and no other host is asked', () => assert.deepEqual(complaints, []));
