@@ -43,6 +43,8 @@ test('the lines that it gives show the same object in any page, under the policy
   await page.goto(`${server.url}/mine.html`);
   await shown(element);
   assert.equal(change(here, await pixels(element)), 0);
+  const scripts = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name.split('/').at(-1)).filter((name) => /\.m?js$/.test(name)));
+  assert.deepEqual(scripts, ['vitrine-thumbnail.js', 'draco_wasm_wrapper.js']);
   await page.goBack();
   await shown(element);
 });

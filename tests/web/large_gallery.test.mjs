@@ -88,4 +88,20 @@ test('cards that leave give back what they took', async () => {
   assert.ok(await page.evaluate(() => window.contexts) <= 2);
 });
 
+test('names are text in the demonstration, and in the lines that it gives', async () => {
+  await page.goto(new URL('viewer/embed.html', page.url()).href);
+  await page.waitForFunction((count) => document.querySelectorAll('option').length === count, COUNT);
+  await page.focus('#object');
+  const valid = (name) => name.replaceAll('\0', '\ufffd'); // as HTML has it
+  for (const name of names.slice(0, KINDS.length)) {
+    const alt = await page.evaluate(() => {
+      const { body } = new DOMParser().parseFromString(document.getElementById('code').textContent, 'text/html');
+      return body.querySelector('vitrine-thumbnail:only-child')?.getAttribute('alt');
+    });
+    assert.equal(alt, valid(name));
+    await page.keyboard.press('ArrowDown');
+  }
+  assert.equal(await page.evaluate(() => window.broken), undefined);
+});
+
 test('nothing fails and no other host is asked', () => assert.deepEqual(complaints, []));

@@ -14,6 +14,13 @@ let page, complaints, close;
 before(async () => { ({ page, complaints, close } = await openGallery(folder, { gzip: true })); });
 after(async () => { await close?.(); });
 
+test('gallery.json has what is documented', () => {
+  const documented = fs.readFileSync(new URL('../../docs/outputs.md', import.meta.url), 'utf8').split('\n## gallery.json\n')[1].split('\n## ')[0];
+  const keys = documented.match(/^\| `[^|]+/gm).flatMap((row) => [...row.matchAll(/`(\w+)`/g)].map(([, key]) => key));
+  for (const object of objects) assert.deepEqual(Object.keys(object).sort(), [...keys].sort());
+  for (const key of Object.keys(weight)) assert.ok(documented.includes(`\`${key}\``), key);
+});
+
 test('the first object is there after 350 KB', async () => {
   const bytes = await bytesUntilFirst(page);
   assert.ok(bytes > 200e3 && bytes <= MOST_FIRST, `${bytes} bytes`);
