@@ -81,8 +81,10 @@ export function makeCard(object) {
   card.id = slug;
   const seen = thumbnail(object);
   seen.append(heading(title));
-  const credit = [metadata.credit, metadata.licence].filter(Boolean).join(', ');
-  if (credit) seen.append(textElement('p', credit));
+  const { credit = '', licence = '' } = metadata;
+  const credits = textElement('p', credit && licence ? `${credit}, ` : credit);
+  if (licence) credits.append(textElement('span', licence));
+  if (credit || licence) seen.append(credits);
   const last = textElement('p', countText(triangles, 'triangle'));
   const anchor = metadata.link ? fullModel(metadata.link, seen) : null;
   if (anchor) last.append(' · ', anchor);
