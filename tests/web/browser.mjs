@@ -11,6 +11,9 @@ const TYPES = {
   '.jpg': 'image/jpeg',
 };
 
+// A poster that is no more to be seen than an empty page.
+export const WHITE_PIXEL = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAG7buVgAAAABJRU5ErkJggg==', 'base64');
+
 // Packages stay what they are: pages that are opened again need not load their hundreds of modules again.
 const headersOf = (url) => ({
   'content-type': TYPES[path.extname(url)] ?? 'application/octet-stream', ...(/^\/(node_modules|three)\//.test(url) && { 'cache-control': 'max-age=3600' }),

@@ -21,6 +21,7 @@ const answers = {};
 before(async () => {
   server = await serve({ '/some/where/': folder }, { answers });
   ({ page, complaints, close } = await openGallery(folder, { url: `${server.url}/some/where/` }));
+  for (const i of objects.keys()) await shown(cardAt(page, i)); // who leaves earlier leaves textures half loaded
   await page.getByText('Put one into your own page').click();
   element = cardAt(page, 0);
   await page.getByText('vitrine-load').waitFor();
