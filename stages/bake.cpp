@@ -9,17 +9,14 @@
 #include "stages/plain_model.h"
 #include "stages/quantize.h"
 #include "stages/tangent_frame.h"
-#include "stages/texel_samples.h"
+#include "stages/texel_matches.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace vitrine {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 template <class Value>
 std::array<Value, 3> corners(std::vector<Value> const& values, Triangle const& face) {
@@ -49,11 +46,10 @@ class Baker {
       : atlas_(target.atlas),
         mesh_(target.atlas.mesh),
         original_(original),
-        options_(options),
         side_(int(std::ceil(std::sqrt(double(options.samples))))),
-        diagonal_(bounds(mesh_).size().length()),
         normals_(decoded_normals(mesh_, target.grid.normal_bits)),
-        tangents_(chart_tangents(atlas_, normals_)) {}
+        tangents_(chart_tangents(atlas_, normals_)),
+        matcher_(atlas_, normals_, original, options, side_) {}
 
   std::vector<V3f> const& normals() const { return normals_; }
   std::vector<V3f> const& tangents() const { return tangents_; }
@@ -72,74 +68,31 @@ class Baker {
   }
 
  private:
-  /// Place on the original that a sample stands for.
-  struct Match {
-    Hit hit;
-    bool missed = false;
-  };
-
-  V3f position(SurfacePoint const& point) const {
-    auto const p = corners(mesh_.positions, mesh_.triangles[point.face]);
-    return interpolate(p[0], p[1], p[2], point.at);
-  }
-
-  V3f smooth_normal(SurfacePoint const& point) const {
-    auto const n = corners(normals_, mesh_.triangles[point.face]);
-    V3f const normal = interpolate(n[0], n[1], n[2], point.at);
-    return normal.length2() > 0 ? normal.normalized() : face_normal(mesh_, point.face);
-  }
-
-  /// The smooth normal, unless it lies behind the face, as on edges of more than two faces.
-  V3f outwards(SurfacePoint const& point) const {
-    V3f const smooth = smooth_normal(point), flat = face_normal(mesh_, point.face);
-    return smooth.dot(flat) > 0 ? smooth : flat;
-  }
-
-  /// Distance between two samples of this face, in model units.
-  float spacing(std::uint32_t face) const {
-    auto const p = corners(mesh_.positions, mesh_.triangles[face]);
-    CornerUvs const& uv = atlas_.corner_uvs[face];
-    float const area = (p[1] - p[0]).cross(p[2] - p[0]).length();
-    float const texels = std::abs((uv[1] - uv[0]).cross(uv[2] - uv[0])) * float(atlas_.width) * float(atlas_.height);
-    return texels > 0 ? std::sqrt(area / texels) / float(side_) : 0;
-  }
-
-  Match match(V3f const& position, V3f const& normal) const {
-    if (options_.transfer == Transfer::nearest)
-      return {original_.scene.closest_point(position, kInfinity, {0, 0, 0}).value_or(Hit{})};
-    float const reach = float(options_.reach) * diagonal_;
-    auto const outer = original_.scene.first_hit({position, normal, 0, reach, normal});
-    auto const inner = original_.scene.first_hit({position, -normal, 0, outer ? outer->distance : reach, normal});
-    if (inner) return {*inner};
-    if (outer) return {*outer};
-    if (auto const close = original_.scene.closest_point(position, reach, normal)) return {*close, true};
-    return {original_.scene.closest_point(position, kInfinity, {0, 0, 0}).value_or(Hit{}), true};
-  }
-
   BakeStatistics bake_tile(TexelTile const& tile, Layers& layers) const {
     BakeStatistics statistics{tile.covered, tile.samples.size(), 0};
+    std::vector<TexelMatch> const matches = matcher_.matches(tile.samples);
     for (std::size_t t = 0; t + 1 < tile.first.size(); ++t) {
       if (tile.first[t] == tile.first[t + 1]) continue;
       std::size_t const texel = (tile.y + t / tile.width) * atlas_.width + tile.x + t % tile.width;
       layers.known[texel] = 1;
-      statistics.misses += bake_texel(tile, t, texel, layers);
+      statistics.misses += bake_texel(tile, matches, t, texel, layers);
     }
     return statistics;
   }
 
   /// Returns the number of misses.
-  std::uint64_t bake_texel(TexelTile const& tile, std::size_t t, std::size_t texel, Layers& layers) const {
+  std::uint64_t bake_texel(TexelTile const& tile, std::vector<TexelMatch> const& matches, std::size_t t,
+                           std::size_t texel, Layers& layers) const {
     std::uint64_t misses = 0;
     Rgba sum{}, plain{};
     V3f normal(0);
     float seen = 0;
     std::uint32_t const begin = tile.first[t], end = tile.first[t + 1];
     for (std::uint32_t s = begin; s < end; ++s) {
-      V3f const side = outwards(tile.samples[s]);
-      Match const found = match(position(tile.samples[s]), side);
+      TexelMatch const& found = matches[s];
       misses += found.missed;
-      SurfaceSample sample = original_.surface.sample(found.hit, spacing(tile.samples[s].face));
-      if (found.missed && face_normal(original_.model->mesh, found.hit.face).dot(side) < 0)
+      SurfaceSample sample = original_.surface.sample(found.hit, matcher_.spacing(tile.samples[s].face));
+      if (found.missed && face_normal(original_.model->mesh, found.hit.face).dot(found.side) < 0)
         sample.normal = -sample.normal;
       normal += sample.normal;
       for (int k = 0; k < 3; ++k) {
@@ -152,7 +105,7 @@ class Baker {
     float const count = float(end - begin);
     if (layers.colour.channels > 0) store_colour(sum, plain, count, layers.colour.at(texel));
     if (layers.normal.channels > 0) {
-      V3f const drawn = smooth_normal(tile.centres[t]), shown = normal.length2() > 0 ? normal.normalized() : drawn;
+      V3f const drawn = matcher_.smooth_normal(tile.centres[t]), shown = normal.length2() > 0 ? normal.normalized() : drawn;
       std::uint32_t const face = tile.centres[t].face;
       store_normal(stored_frame(drawn, tangents_[atlas_.face_charts[face]]), shown, layers.normal.at(texel));
       if (layers.derived_normal.channels > 0)
@@ -176,11 +129,10 @@ class Baker {
   Atlas const& atlas_;
   TriMesh const& mesh_;
   SurveyedModel const& original_;
-  BakeOptions const& options_;
   int side_;
-  float diagonal_;
   std::vector<V3f> normals_;
   std::vector<V3f> tangents_;  // by chart
+  TexelMatcher matcher_;
 };
 
 /// The first `channels` of the layer.
