@@ -181,17 +181,22 @@ class Search : private Inquiry {
     return ask_with([](Recipe& r) { r.shading = Shading::smooth; });
   }
 
-  /// Normals cannot pay while coarse places spoil the surface.
+  /// Normals cannot pay while coarse places spoil the surface. Where they do, places may be coarser again: they no longer
+  /// decide how it is lit.
   Answer reconsider_shading() {
-    return best().position_bits > Recipe{}.position_bits + 1 ? choose_shading() : Answer::worse;
+    if (best().position_bits <= Recipe{}.position_bits + 1) return Answer::worse;
+    Answer answer = choose_shading();
+    while (answer == Answer::better) answer = ask_with(fewer_bits);
+    return answer;
   }
+
+  static void fewer_bits(Recipe& recipe) { recipe.position_bits = std::max(recipe.position_bits - 1, kLeastBits); }
 
   Answer choose_bits() {
     constexpr int steps = kMostBits - kLeastBits;
-    Change const fewer = [](Recipe& r) { r.position_bits = std::max(r.position_bits - 1, kLeastBits); };
     Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kMostBits); };
     auto const question = is_filled(best()) ? &Search::ask_as_it_is : &Search::ask;
-    return aim() < 11000 ? walk(question, fewer, more, steps) : walk(question, more, fewer, steps);
+    return aim() < 11000 ? walk(question, fewer_bits, more, steps) : walk(question, more, fewer_bits, steps);
   }
 
   Answer choose_colours() {
