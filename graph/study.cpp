@@ -13,6 +13,7 @@ namespace {
 ModelOptions with_recipe(ModelOptions options, Recipe const& recipe) {
   options.simplify.triangles = recipe.triangles;
   options.quantize.position_bits = recipe.position_bits;
+  options.quantize.normal_bits = recipe.normal_bits;
   options.parameterize.unfolding = recipe.unfolding;
   options.pack.texture = recipe.texture;
   options.bake.samples = 4;

@@ -37,7 +37,7 @@ BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   Recipe const& recipe = job.study->recipe();
   if (recipe.painting == Painting::own)
     return wear_own_texture(light, *job.levels->textured, job.original->model, job.original->samples,
-                            {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth});
+                            {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth, recipe.normal_bits});
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
   QuantizedMesh const placed =
       refits(job) ? round_to_grid(light.mesh, grid, job.original->samples) : quantize(light.mesh, grid);
@@ -46,6 +46,7 @@ BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   options.smoothing = recipe.smoothing;
   options.palette = job.study->options().fit.without != Choice::palette;
   options.normals = recipe.shading == Shading::smooth;
+  options.normal_bits = recipe.normal_bits;
   return paint(placed, job.original->model, job.original->samples, options);
 }
 

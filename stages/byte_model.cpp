@@ -14,7 +14,7 @@ constexpr double kBitsAtNone = 0.25, kBitsPerQuality = 0.009;  ///< of a texel
 
 double expected_bytes_per_triangle(Recipe const& recipe) {
   double bytes = kBytesPerBit * (recipe.position_bits - 3.7);
-  if (recipe.shading == Shading::smooth) bytes += 0.45;
+  if (recipe.shading == Shading::smooth) bytes += 0.06 * recipe.normal_bits + 0.1;
   if (recipe.painting == Painting::vertices) bytes += 0.1 * recipe.colour_bits - 0.15;
   if (is_textured(recipe)) bytes += 0.7;
   return bytes;

@@ -16,8 +16,9 @@ namespace {
 
 constexpr int kUsualQuality = 50;              ///< of a map that does not fill its ceiling, to begin with
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
+constexpr int kLeastNormalBits = 4, kMostNormalBits = 10;
 constexpr int kFineBits = 13;                  ///< of a place, where there is room for all triangles
-constexpr double kClearly = 0.1;               ///< of the cost's logarithm: what loses by more is not asked again
+constexpr double kClearly = 0.1;               ///< of the cost's logarithm: what wins or loses by more is not asked again
 
 /// What the winner has the least of.
 double rank(Subject const& subject, FitOptions const& options, Trial const& trial) {
@@ -64,6 +65,7 @@ class Search : private Inquiry {
                                                          {Choice::normals, &Search::choose_shading},
                                                          {Choice::bits, &Search::choose_bits},
                                                          {Choice::normals, &Search::reconsider_shading},
+                                                         {Choice::bits, &Search::choose_normal_bits},
                                                          {Choice::colours, &Search::choose_colours},
                                                          {Choice::avif, &Search::choose_coding}};
     for (auto const& [choice, question] : questions)
@@ -174,11 +176,18 @@ class Search : private Inquiry {
     return Answer::worse;
   }
 
-  /// Many facets shade better than fewer smooth triangles, up to some size of the file.
+  /// Many facets shade better than fewer smooth triangles, up to some size of the file. Where it is close, coarser places
+  /// may yet pay for the facets that they lack.
   Answer choose_shading() {
     if ((aim() < 7000 && !is_whole(best_trial())) || best().shading == Shading::smooth) return Answer::worse;
     if (normals_lost_[std::size_t(best().painting)]) return Answer::worse;
-    return ask_with([](Recipe& r) { r.shading = Shading::smooth; });
+    Recipe coarser = best();
+    fewer_bits(coarser);
+    double const facets = cost(best_trial());
+    Answer const answer = ask_with([](Recipe& r) { r.shading = Shading::smooth; });
+    bool const clear = answer != Answer::better || cost(best_trial()) < facets - kClearly;
+    if (clear || is_filled(best()) || is_left_out(Choice::bits)) return answer;
+    return ask(coarser) == Answer::none ? Answer::none : Answer::better;
   }
 
   /// Normals cannot pay while coarse places spoil the surface. Where they do, places may be coarser again: they no longer
@@ -197,6 +206,14 @@ class Search : private Inquiry {
     Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kMostBits); };
     auto const question = is_filled(best()) ? &Search::ask_as_it_is : &Search::ask;
     return aim() < 11000 ? walk(question, fewer_bits, more, steps) : walk(question, more, fewer_bits, steps);
+  }
+
+  Answer choose_normal_bits() {
+    if (best().shading == Shading::facets) return Answer::worse;
+    return walk(
+        is_filled(best()) ? &Search::ask_as_it_is : &Search::ask,
+        [](Recipe& r) { r.normal_bits = std::min(r.normal_bits + 1, kMostNormalBits); },
+        [](Recipe& r) { r.normal_bits = std::max(r.normal_bits - 1, kLeastNormalBits); });
   }
 
   Answer choose_colours() {

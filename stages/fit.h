@@ -26,7 +26,7 @@ enum class Choice {
   avif,          ///< maps as WebP or JPEG
   unfolding,     ///< charts stay as conformal maps lay them
   colour_edges,  ///< triangles go where the surface bends, whatever its colours
-  bits,          ///< of positions
+  bits,          ///< of positions and normals
   colours,       ///< bits and smoothness of colours per vertex
   palette,       ///< colours per vertex as red, green and blue
   refit,         ///< vertices stay where simplification left them
@@ -86,6 +86,7 @@ struct Recipe {
   Painting painting = Painting::none;
   double colour_weight = 0;  ///< of colour in the quadrics, see progression.h
   int position_bits = 10;
+  int normal_bits = 6;       ///< of each octahedral coordinate of a normal per vertex
   int colour_bits = 5;       ///< of each of a colour's two numbers per vertex, see palette.h
   double smoothing = 0.1;    ///< of colours per vertex, see paint.h
   Unfolding unfolding = Unfolding::conformal;  ///< of the charts

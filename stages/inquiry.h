@@ -51,6 +51,7 @@ class Inquiry {
   bool is_whole(Trial const& trial) const { return trial.recipe.triangles >= most(); }
   /// So much worse than the best one that it is not asked again.
   bool is_hopeless(Trial const& trial) const;
+  double cost(Trial const& trial) const;
   double last_cost() const { return cost(history_[answered_ - 1]); }
   bool last_was_hopeless() const { return is_hopeless(history_[answered_ - 1]); }
 
@@ -59,7 +60,6 @@ class Inquiry {
   int largest_texture(Recipe const& recipe) const;
   int beside(double map_bytes, Recipe const& recipe) const;
   int bounded(int triangles) const;
-  double cost(Trial const& trial) const;
   double bytes_for_error(Trial const& here, Trial const* before) const;
   /// Made larger or smaller; all triangles stay as long as they leave the map its share.
   Recipe of_extent(Trial const& like, int wanted) const;

@@ -72,7 +72,7 @@ function cells({ name, setting, ours: a, theirs: b, off }) {
   return [name, setting, a.mse.toFixed(3), b.mse.toFixed(3), part, a.ssim.toFixed(4), b.ssim.toFixed(4), (a.ssim - b.ssim).toFixed(4), off.length ? `**${off.join(', ')}**` : 'yes'];
 }
 
-function report(rows) {
+function answers(rows) {
   const head = ['input', 'views', 'MSE', "referee's", 'difference', 'SSIM', "referee's", 'difference', 'agree'];
   const apart = rows.filter((r) => r.off.length).length;
   return `${table(head, rows.map(cells), 2)}\n\n${rows.length - apart} of ${rows.length} agree.`;
@@ -87,7 +87,7 @@ async function main() {
     for (const setting of SETTINGS)
       rows.push(await measured(given, { name: input, file: path.join(given.models, input) }, path.join(given.gallery, thumb), setting));
   }
-  const text = report(rows);
+  const text = answers(rows);
   console.log(text);
   if (!given.only) putInto(given.page, 'tools/agreement.mjs', text);
   process.exitCode = rows.some((r) => r.off.length) ? 1 : 0;

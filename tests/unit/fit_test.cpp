@@ -51,6 +51,37 @@ Trial winner(Subject const& subject, FitOptions const& options, World const& wor
 
 constexpr Subject kPlain{100'000}, kPainted{100'000, true}, kPhoto{100'000, true, true};
 
+/// Facets want fine places, and normals only want them not too coarse.
+double penalty_of_shading(Recipe const& recipe) {
+  if (recipe.shading == Shading::facets) return 1 + 0.3 * std::max(0, 14 - recipe.position_bits);
+  return recipe.position_bits < 12 ? 3 : 0.3;
+}
+
+TEST(Fit, PlacesAreCoarserAgainWhereNormalsPayAfterAll) {
+  Trial const best = winner(kPlain, {}, {.penalty = penalty_of_shading});
+  EXPECT_EQ(best.recipe.shading, Shading::smooth);
+  EXPECT_EQ(best.recipe.position_bits, 12);
+}
+
+TEST(Fit, FacetsOnCoarserPlacesAreAskedWhereNormalsWinNarrowly) {
+  Trial const best = winner(kPlain, {}, {.penalty = [](Recipe const& recipe) {
+                              if (recipe.shading == Shading::smooth) return 0.65;
+                              return recipe.position_bits == 9 ? 0.8 : 1.0;
+                            }});
+  EXPECT_EQ(best.recipe.shading, Shading::facets);
+  EXPECT_EQ(best.recipe.position_bits, 9);
+}
+
+TEST(Fit, NormalsAreAsFineAsPays) {
+  for (int finest : {4, 6, 8}) {
+    Trial const best = winner(kPlain, {}, {.penalty = [=](Recipe const& recipe) {
+                                double const off = 0.3 * std::abs(recipe.normal_bits - finest);
+                                return recipe.shading == Shading::smooth ? 0.3 * (1 + off) : 1.0;
+                              }});
+    EXPECT_EQ(best.recipe.normal_bits, finest);
+  }
+}
+
 TEST(Fit, FillsTheCeilingAndNeverExceedsIt) {
   for (Subject const& subject : {kPlain, kPainted, kPhoto})
     for (double kb : {2.0, 5.0, 8.0, 16.0, 32.0, 100.0}) {

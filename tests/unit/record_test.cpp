@@ -17,6 +17,7 @@ Recipe recipe() {
           .painting = Painting::map,
           .colour_weight = 0.02,
           .position_bits = 13,
+          .normal_bits = 8,
           .unfolding = Unfolding::detail,
           .texture = 370,
           .map_quality = 0,
