@@ -20,7 +20,7 @@ struct Makings {
   /// Those of them that another recipe has, too.
   Makings shared_with(Recipe const& other) const {
     auto const shape = [](Recipe const& r) {
-      return std::tuple(r.painting, r.triangles, r.colour_weight, r.shading, r.unfolding);
+      return std::tuple(r.painting, r.triangles, r.colour_weight, r.shading, r.fitted, r.unfolding);
     };
     auto const but_for_coding = [](Recipe r) {
       r.map_quality = r.ceiling = 0;

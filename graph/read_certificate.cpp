@@ -74,6 +74,7 @@ Recipe read_recipe(json const& in) {
   recipe.painting = named<Painting>(in.at("painting"));
   recipe.position_bits = in.at("positionBits");
   recipe.normal_bits = in.value("normalBits", recipe.normal_bits);
+  recipe.fitted = in.value("fitted", recipe.fitted);
   recipe.colour_weight = in.at("colourWeight");
   recipe.colour_bits = in.value("colourBits", recipe.colour_bits);
   recipe.smoothing = in.value("smoothing", recipe.smoothing);

@@ -39,8 +39,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stamp, bytes, inode, modified, changed)
 }  // namespace vitrine::io
 
 namespace vitrine {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recipe, triangles, shading, painting, colour_weight, position_bits, normal_bits,
-                                   colour_bits, smoothing, unfolding, texture, map_quality, ceiling, avif)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recipe, triangles, shading, painting, colour_weight, fitted, position_bits,
+                                   normal_bits, colour_bits, smoothing, unfolding, texture, map_quality, ceiling, avif)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Trial, recipe, bytes, map_bytes, map_quality, error, score)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BakeStatistics, texels, samples, misses)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AngleError, p50, p99)

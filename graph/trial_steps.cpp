@@ -14,9 +14,13 @@
 namespace vitrine::graph {
 namespace {
 
-/// Vertices that bear normals stay: these make up for their places.
-bool refits(Job const& job) {
-  return job.study->recipe().shading == Shading::facets && job.study->options().fit.without != Choice::refit;
+bool refits(Job const& job) { return job.study->recipe().fitted && job.study->options().fit.without != Choice::refit; }
+
+/// Where vertices bear normals, the slopes of the faces do not show.
+RefitOptions refit_options(Recipe const& recipe) {
+  RefitOptions options;
+  if (recipe.shading == Shading::smooth) options.facet_weight = 0;
+  return options;
 }
 
 }  // namespace
@@ -29,7 +33,7 @@ SimplifiedMesh shape_model(Job& job) {
                          : recipe.colour_weight > 0         ? levels.coloured->at(recipe.triangles)
                                                             : levels.plain->at(recipe.triangles);
   job.row.simplify_error = light.error;
-  if (!levels.fixed && refits(job)) light.mesh = refit(light.mesh, job.original->samples);
+  if (!levels.fixed && refits(job)) light.mesh = refit(light.mesh, job.original->samples, refit_options(recipe));
   return light;
 }
 
@@ -40,7 +44,7 @@ BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
                             {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth, recipe.normal_bits});
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
   QuantizedMesh const placed =
-      refits(job) ? round_to_grid(light.mesh, grid, job.original->samples) : quantize(light.mesh, grid);
+      refits(job) ? round_to_grid(light.mesh, grid, job.original->samples, refit_options(recipe)) : quantize(light.mesh, grid);
   PaintOptions options;
   options.colour_bits = recipe.colour_bits;
   options.smoothing = recipe.smoothing;

@@ -65,6 +65,7 @@ class Search : private Inquiry {
                                                          {Choice::normals, &Search::choose_shading},
                                                          {Choice::bits, &Search::choose_bits},
                                                          {Choice::normals, &Search::reconsider_shading},
+                                                         {Choice::refit, &Search::choose_fit},
                                                          {Choice::bits, &Search::choose_normal_bits},
                                                          {Choice::colours, &Search::choose_colours},
                                                          {Choice::avif, &Search::choose_coding}};
@@ -117,7 +118,8 @@ class Search : private Inquiry {
     for (Shading shading :
          {smooth_first ? Shading::smooth : Shading::facets, smooth_first ? Shading::facets : Shading::smooth}) {
       if (shading == Shading::smooth && is_left_out(Choice::normals)) continue;
-      recipe.shading = shading;
+      recipe.shading = Shading::facets, recipe.fitted = true;
+      if (shading == Shading::smooth) wear_normals(recipe);
       if (ask(recipe) == Answer::none) return Answer::none;
       costs[std::size_t(shading)] = last_cost();
       if (last_was_hopeless()) break;
@@ -176,6 +178,17 @@ class Search : private Inquiry {
     return Answer::worse;
   }
 
+  /// What the simplification did for colours, and where a texture hangs, is kept at first.
+  static void wear_normals(Recipe& recipe) {
+    recipe.shading = Shading::smooth;
+    recipe.fitted = recipe.colour_weight == 0 && recipe.painting != Painting::own;
+  }
+
+  Answer choose_fit() {
+    if (best().shading == Shading::facets || !subject_.coloured) return Answer::worse;
+    return ask_with([](Recipe& r) { r.fitted = !r.fitted; });
+  }
+
   /// Many facets shade better than fewer smooth triangles, up to some size of the file. Where it is close, coarser places
   /// may yet pay for the facets that they lack.
   Answer choose_shading() {
@@ -184,7 +197,7 @@ class Search : private Inquiry {
     Recipe coarser = best();
     fewer_bits(coarser);
     double const facets = cost(best_trial());
-    Answer const answer = ask_with([](Recipe& r) { r.shading = Shading::smooth; });
+    Answer const answer = ask_with(wear_normals);
     bool const clear = answer != Answer::better || cost(best_trial()) < facets - kClearly;
     if (clear || is_filled(best()) || is_left_out(Choice::bits)) return answer;
     return ask(coarser) == Answer::none ? Answer::none : Answer::better;

@@ -85,6 +85,7 @@ struct Recipe {
   Shading shading = Shading::facets;
   Painting painting = Painting::none;
   double colour_weight = 0;  ///< of colour in the quadrics, see progression.h
+  bool fitted = true;        ///< vertices are moved to where the surface fits best, see refit.h
   int position_bits = 10;
   int normal_bits = 6;       ///< of each octahedral coordinate of a normal per vertex
   int colour_bits = 5;       ///< of each of a colour's two numbers per vertex, see palette.h

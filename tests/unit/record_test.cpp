@@ -16,6 +16,7 @@ Recipe recipe() {
           .shading = Shading::smooth,
           .painting = Painting::map,
           .colour_weight = 0.02,
+          .fitted = false,
           .position_bits = 13,
           .normal_bits = 8,
           .unfolding = Unfolding::detail,
