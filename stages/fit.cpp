@@ -58,6 +58,7 @@ class Search : private Inquiry {
                                                          {Choice::none, &Search::choose_painting},
                                                          {Choice::none, &Search::choose_size},
                                                          {Choice::colour_edges, &Search::choose_colour_quadrics},
+                                                         {Choice::bits, &Search::choose_bits_under_a_map},
                                                          {Choice::none, &Search::choose_texture},
                                                          {Choice::none, &Search::choose_share},
                                                          {Choice::none, &Search::choose_quality},
@@ -118,8 +119,7 @@ class Search : private Inquiry {
     for (Shading shading :
          {smooth_first ? Shading::smooth : Shading::facets, smooth_first ? Shading::facets : Shading::smooth}) {
       if (shading == Shading::smooth && is_left_out(Choice::normals)) continue;
-      recipe.shading = Shading::facets, recipe.fitted = true;
-      if (shading == Shading::smooth) wear_normals(recipe);
+      (shading == Shading::smooth ? wear_normals : wear_facets)(recipe);
       if (ask(recipe) == Answer::none) return Answer::none;
       costs[std::size_t(shading)] = last_cost();
       if (last_was_hopeless()) break;
@@ -179,6 +179,7 @@ class Search : private Inquiry {
   }
 
   /// What the simplification did for colours, and where a texture hangs, is kept at first.
+  static void wear_facets(Recipe& recipe) { recipe.shading = Shading::facets, recipe.fitted = true; }
   static void wear_normals(Recipe& recipe) {
     recipe.shading = Shading::smooth;
     recipe.fitted = recipe.colour_weight == 0 && recipe.painting != Painting::own;
@@ -203,21 +204,25 @@ class Search : private Inquiry {
     return ask(coarser) == Answer::none ? Answer::none : Answer::better;
   }
 
-  /// Normals cannot pay while coarse places spoil the surface. Where they do, places may be coarser again: they no longer
-  /// decide how it is lit.
+  /// Neither facets nor normals show what they are worth while coarse places spoil the surface. Where normals pay after
+  /// all, places may be coarser again: they no longer decide how it is lit.
   Answer reconsider_shading() {
-    if (best().position_bits <= Recipe{}.position_bits + 1) return Answer::worse;
-    Answer answer = choose_shading();
+    if (best().position_bits <= Recipe{}.position_bits) return Answer::worse;
+    if (best().shading == Shading::smooth && !is_textured(best())) return ask_with(wear_facets);
+    Answer answer = best().position_bits > Recipe{}.position_bits + 1 ? choose_shading() : Answer::worse;
     while (answer == Answer::better) answer = ask_with(fewer_bits);
     return answer;
   }
 
   static void fewer_bits(Recipe& recipe) { recipe.position_bits = std::max(recipe.position_bits - 1, kLeastBits); }
 
-  Answer choose_bits() {
+  /// How map and triangles share the bytes depends on what coarse places spoil.
+  Answer choose_bits_under_a_map() { return is_filled(best()) ? walk_bits(&Search::ask_as_it_is) : Answer::worse; }
+  Answer choose_bits() { return is_filled(best()) ? Answer::worse : walk_bits(&Search::ask); }
+
+  Answer walk_bits(Answer (Inquiry::*question)(Recipe)) {
     constexpr int steps = kMostBits - kLeastBits;
     Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kMostBits); };
-    auto const question = is_filled(best()) ? &Search::ask_as_it_is : &Search::ask;
     return aim() < 11000 ? walk(question, fewer_bits, more, steps) : walk(question, more, fewer_bits, steps);
   }
 
