@@ -9,7 +9,7 @@
 #include "graph/study.h"
 #include "graph/trace.h"
 #include "io/archive.h"
-#include "stages/measure.h"
+#include "stages/judge.h"
 #include "stages/own_texture.h"
 #include "stages/progression.h"
 #include "stages/surface_samples.h"
@@ -26,7 +26,7 @@ namespace vitrine::graph {
 struct Original {
   SurveyedModel model;
   Reference reference;            ///< of the certificate; without pictures where nothing is measured
-  std::vector<Reference> judges;  ///< by which the search decides
+  std::vector<Judge> judges;      ///< by which the search decides
   SurfaceSamples samples;         ///< none where nothing is searched
 };
 

@@ -38,17 +38,12 @@ std::string ending(std::string const& path) {
   return text;
 }
 
-/// By what the search decides: all sides, both lights, at the device's pixels.
-std::vector<Reference> judges(SurveyedModel const& model, ModelOptions const& options) {
+/// With --max-error by what is promised.
+std::vector<Judge> judges_of(SurveyedModel const& model, ModelOptions const& options) {
   if (!searches(options)) return {};
-  if (options.fit.max_error > 0) return {reference(model, {.size = options.publish.viewport})};  // what is promised
-  int const size = int(std::lround(options.publish.viewport * options.fit.pixel_ratio));
-  std::vector<Reference> all;
-  for (MeasureOptions const& measure :
-       {MeasureOptions{ViewSet::turntable, 3, size, Light::head, 2, options.bake.occlusion},
-        MeasureOptions{ViewSet::sphere, 3, size, Light::side, 2, options.bake.occlusion}})
-    all.push_back(reference(model, measure));
-  return all;
+  int const viewport = options.publish.viewport;
+  if (options.fit.max_error > 0) return {{reference(model, {.size = viewport}), {}}};
+  return judges(model, viewport, options.fit.pixel_ratio, options.bake.occlusion);
 }
 
 int longer_side(Image const& image) { return std::max(image.width, image.height); }
@@ -130,7 +125,7 @@ Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptio
   measure.occlusion = options.bake.occlusion;
   if (!options.publish.certificate) measure.count = 1;  // the poster's
   Reference seen = options.publish.certificate ? reference(model, measure) : viewpoints(model, measure);
-  std::vector<Reference> deciding = judges(model, options);
+  std::vector<Judge> deciding = judges_of(model, options);
   bool const sampled = searches(options) || options.parameterize.unfolding == Unfolding::detail;
   double const count = std::clamp(kSamplesPerByte * 1000 * options.fit.max_kb, kFewestSamples, kMostSamples);
   SurfaceSamples samples = sampled ? sample_surface(model, std::size_t(count)) : SurfaceSamples{};

@@ -109,17 +109,12 @@ SurveyedModel decode(EncodedThumbnail const& thumbnail, Occlusion occlusion) {
 }
 
 void weigh(std::shared_ptr<EncodedThumbnail const> const& file, Job& job) {
-  double error = 0, score = 0;
+  Judgement found;
   if (!job.original->judges.empty()) {
     bool const structure = job.study->options().fit.without != Choice::structure;
-    SurveyedModel const decoded = decode(*file, job.study->options().bake.occlusion);
-    for (Reference const& judge : job.original->judges) {
-      Difference const mean = compare(judge.pictures, pictures(decoded, judge)).mean;
-      error += mean.mse1e4 / double(job.original->judges.size());
-      score += mean.mse1e4 * (structure ? 1 - mean.foreground_ssim : 1);
-    }
+    found = judgement(job.original->judges, decode(*file, job.study->options().bake.occlusion), structure);
   }
-  job.study->add(job.row, file, error, score);
+  job.study->add(job.row, file, found.mse1e4, found.score);
   static_cast<Made&>(job.row) = {};
 }
 
