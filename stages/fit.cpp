@@ -2,14 +2,12 @@
 #include "stages/fit.h"
 
 #include "stages/byte_model.h"
-#include "stages/error.h"
 #include "stages/inquiry.h"
+#include "stages/winner.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace vitrine {
 namespace {
@@ -20,37 +18,32 @@ constexpr int kLeastNormalBits = 4, kMostNormalBits = 10;
 constexpr int kFineBits = 13;                  ///< of a place, where there is room for all triangles
 constexpr double kClearly = 0.1;               ///< of the cost's logarithm: what wins or loses by more is not asked again
 
-/// What the winner has the least of.
-double rank(Subject const& subject, FitOptions const& options, Trial const& trial) {
-  if (options.max_error > 0) return double(trial.bytes);
-  return subject.fixed_triangles > 0 ? size_cost(trial) : trial.score;
-}
-
-/// The best trial that keeps within the limits.
-std::optional<std::size_t> best_within(Subject const& subject, FitOptions const& options,
-                                       std::span<Trial const> history) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    Trial const& t = history[i];
-    if (double(t.bytes) > 1000 * options.max_kb || (options.max_error > 0 && t.error > options.max_error)) continue;
-    if (!best || rank(subject, options, t) < rank(subject, options, history[*best])) best = i;
-  }
-  return best;
-}
-
 class Search : private Inquiry {
  public:
   Search(Subject const& subject, FitOptions const& options, std::span<Trial const> history)
-      : Inquiry(subject, options, history), subject_(subject), options_(options) {}
+      : Inquiry(subject, options, history), subject_(subject), options_(options), history_(history) {}
 
   /// Asks the same questions in the same order each time, and answers those that the history answers.
   std::optional<Recipe> next() {
     if (explore() == Answer::none) return asked();
     if (subject_.fixed_triangles > 0) return {};
-    return is_filled(best()) && options_.max_error == 0 ? std::nullopt : land();
+    return is_filled(best()) && options_.max_error == 0 ? shrunk() : land();
   }
 
  private:
+  /// The smallest file so far with less of everything, as long as none keeps to the ceiling: not even the poorest quality
+  /// makes up for too many triangles.
+  std::optional<Recipe> shrunk() const {
+    constexpr double kLess = 0.9;
+    if (best_within(subject_, options_, history_)) return {};
+    Trial const& smallest = *std::min_element(history_.begin(), history_.end(), are_smaller);
+    Recipe recipe = smallest.recipe;
+    double const share = kLess * 1000 * options_.max_kb / double(smallest.bytes);
+    recipe.triangles = std::max(kFewest, int(recipe.triangles * share));
+    recipe.texture = std::max(kSmallestTexture, int(recipe.texture * std::sqrt(share)));
+    return recipe == smallest.recipe ? std::nullopt : std::optional(recipe);
+  }
+
   Answer explore() {
     using Question = Answer (Search::*)();
     constexpr std::pair<Choice, Question> questions[] = {{Choice::none, &Search::start},
@@ -249,12 +242,8 @@ class Search : private Inquiry {
   Subject subject_;
   std::array<bool, EnumNames<Painting>::names.size()> normals_lost_{};  ///< against facets, clearly
   FitOptions options_;
+  std::span<Trial const> history_;
 };
-
-std::string text(double value) {
-  std::string digits = std::to_string(value);
-  return digits.substr(0, digits.find('.') + 3);
-}
 
 }  // namespace
 
@@ -262,30 +251,8 @@ bool is_textured(Recipe const& recipe) { return recipe.painting == Painting::map
 
 bool is_filled(Recipe const& recipe) { return is_textured(recipe) && recipe.map_quality == 0; }
 
-Trial failed_trial(Recipe const& recipe) {
-  constexpr double worst = std::numeric_limits<double>::infinity();
-  return {recipe, std::numeric_limits<std::size_t>::max(), 0, 0, worst, worst};
-}
-
 std::optional<Recipe> next_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {
   return Search(subject, options, history).next();
-}
-
-std::size_t best_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {
-  if (std::optional<std::size_t> const best = best_within(subject, options, history)) return *best;
-  auto const smaller = [](Trial const& a, Trial const& b) { return a.bytes < b.bytes; };
-  auto const nearer = [](Trial const& a, Trial const& b) { return a.error < b.error; };
-  Trial const smallest = *std::min_element(history.begin(), history.end(), smaller);
-  Trial const nearest = *std::min_element(history.begin(), history.end(), nearer);
-  if (options.max_error > 0)
-    throw Error(ErrorKind::no_solution,
-                "no file of " + text(options.max_kb) + " KB has an error of " + text(options.max_error) +
-                    "; the least found is " + text(nearest.error) + " at " + text(double(nearest.bytes) / 1000) + " KB",
-                "raise --max-kb or --max-error");
-  throw Error(ErrorKind::no_solution,
-              "no file keeps to " + text(options.max_kb) + " KB; the smallest found has " +
-                  text(double(smallest.bytes) / 1000) + " KB",
-              "raise --max-kb");
 }
 
 }  // namespace vitrine

@@ -19,7 +19,6 @@ constexpr double kSame = 0.02;       ///< relative: between numbers of triangles
 constexpr double kHopeless = 0.7;    ///< in the cost's logarithm
 constexpr int kSmallestFile = 1000;  ///< bytes
 constexpr int kLargestTexture = 8192;
-constexpr int kFewest = 40;   ///< triangles
 constexpr int kLandings = 6;  ///< trials that may be spent on meeting the limit
 
 }  // namespace

@@ -51,6 +51,12 @@ Trial winner(Subject const& subject, FitOptions const& options, World const& wor
 
 constexpr Subject kPlain{100'000}, kPainted{100'000, true}, kPhoto{100'000, true, true};
 
+TEST(Fit, ShrinksWhatNotEvenThePoorestQualityMakesSmallEnough) {
+  constexpr Subject holes{.triangles = 100'000, .coloured = true, .textured = true, .needs_map = true};
+  World const noise{.map_bits = 80};  // unlike any map that the byte model was made by
+  for (double kb : {2.0, 8.0, 16.0}) EXPECT_LE(double(winner(holes, {.max_kb = kb}, noise).bytes), 1000 * kb);
+}
+
 /// Facets want fine places, and normals only want them not too coarse.
 double penalty_of_shading(Recipe const& recipe) {
   if (recipe.shading == Shading::facets) return 1 + 0.3 * std::max(0, 14 - recipe.position_bits);
