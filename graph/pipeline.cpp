@@ -145,7 +145,7 @@ void run_pipeline(io::Archive const& archive, ModelOptions const& options, RunOp
       2, "load", [&](In<Admitted> const&, Job& job) { return load_model(job, options); });
   auto survey_ =
       node.operator()<CleanModel, Surveyed>(flow::unlimited, "survey", [&](In<CleanModel> const& in, Job& job) {
-        job.original = std::make_shared<Original const>(survey_model(in, options));
+        job.original = std::make_shared<Original const>(survey_model(in, options, job));
         return Surveyed{};
       });
   auto simplify_ = node.operator()<Surveyed, Tried>(flow::unlimited, "simplify", [&](In<Surveyed> const&, Job& job) {

@@ -9,6 +9,7 @@
 #include "stages/cluster.h"
 #include "stages/deviation.h"
 #include "stages/error.h"
+#include "stages/outside.h"
 #include "stages/welded_colours.h"
 
 #include <nlohmann/json.hpp>
@@ -87,6 +88,20 @@ double thinning_error(SourceModel whole, SourceModel const& thin, int size) {
   return compare(all.pictures, pictures(left, all)).mean.mse1e4;
 }
 
+/// Who limits how far the surface may lie from the original's means all of it; occlusion is traced on the whole.
+bool shows_outside_only(SurveyedModel const& whole, ModelOptions const& options) {
+  return searches(options) && options.fit.max_deviation == 0 && options.fit.max_px == 0 &&
+         options.bake.occlusion == Occlusion::none && whole.surface.alpha() == AlphaMode::opaque;
+}
+
+std::optional<SurveyedModel> outer_model(SurveyedModel const& whole, ModelRow& row) {
+  std::optional<SourceModel> outer = outside(*whole.model);
+  if (!outer) return {};
+  std::size_t const all = whole.model->mesh.triangles.size(), left = outer->mesh.triangles.size();
+  row.notes.push_back(std::to_string(all - left) + " of " + std::to_string(all) + " triangles are hidden within and were left out");
+  return survey(std::make_shared<SourceModel const>(std::move(*outer)));
+}
+
 std::vector<std::byte> poster_jpeg(Image const& picture) {
   return io::encode_image(opaque(picture), {io::ImageCodec::jpeg, kPosterQuality}).bytes;
 }
@@ -117,7 +132,7 @@ CleanModel load_model(Job& job, ModelOptions const& options) {
   return cleaned;
 }
 
-Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options) {
+Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options, Job& job) {
   int const occlusion_rays = options.bake.occlusion == Occlusion::none ? 0 : options.bake.occlusion_rays;
   SurveyedModel model = survey(std::shared_ptr<SourceModel const>(clean, &clean->model), occlusion_rays);
   MeasureOptions measure;
@@ -128,12 +143,14 @@ Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptio
   std::vector<Judge> deciding = judges_of(model, options);
   bool const sampled = searches(options) || options.parameterize.unfolding == Unfolding::detail;
   double const count = std::clamp(kSamplesPerByte * 1000 * options.fit.max_kb, kFewestSamples, kMostSamples);
-  SurfaceSamples samples = sampled ? sample_surface(model, std::size_t(count)) : SurfaceSamples{};
-  return {std::move(model), std::move(seen), std::move(deciding), std::move(samples)};
+  Original made{std::move(model), {}, std::move(seen), std::move(deciding), {}};
+  if (shows_outside_only(made.whole, options)) made.outer = outer_model(made.whole, job.row);
+  if (sampled) made.samples = sample_surface(made.model(), std::size_t(count));
+  return made;
 }
 
 Levels simplify_model(Original const& original, ModelOptions const& options) {
-  TriMesh const welded = weld(*original.model.model);
+  TriMesh const welded = weld(*original.model().model);
   Levels levels;
   if (!searches(options)) {
     SimplifyOptions settled = options.simplify;
@@ -142,18 +159,18 @@ Levels simplify_model(Original const& original, ModelOptions const& options) {
     return levels;
   }
   levels.plain.emplace(welded, options.simplify);
-  bool const few = original.model.model->mesh.triangles.size() <= kMostOwnTriangles;
-  if (few && !options.encode.x3dom) levels.textured = own_texture(*original.model.model);
-  if (original.model.surface.coloured()) {
+  bool const few = original.model().model->mesh.triangles.size() <= kMostOwnTriangles;
+  if (few && !options.encode.x3dom) levels.textured = own_texture(*original.model().model);
+  if (original.model().surface.coloured()) {
     TriMesh const finest = levels.plain->at(Progression::kFinest).mesh;
-    std::vector<V3f> const colours = colours_near(original.model, finest);
+    std::vector<V3f> const colours = colours_near(original.model(), finest);
     levels.coloured.emplace(finest, options.simplify, VertexColours{colours, kColourWeight});
   }
   return levels;
 }
 
 Subject subject_of(Original const& original, Levels const& levels, ModelOptions const& options) {
-  SurveyedModel const& model = original.model;
+  SurveyedModel const& model = original.model();
   Subject subject;
   subject.triangles = model.model->mesh.triangles.size();
   subject.coloured = model.surface.coloured();
@@ -179,7 +196,7 @@ Finished certify(EncodedThumbnail const& thumbnail, PublishOptions const& option
   Finished finished{thumbnail, std::move(drawn.front()), {}};
   row.sphere = reference.sphere;
   if (options.series)
-    finished.series = series_files(job.original->model, reference, SeriesOptions{.rows = options.series_rows});
+    finished.series = series_files(job.original->whole, reference, SeriesOptions{.rows = options.series_rows});
   return finished;
 }
 

@@ -20,7 +20,7 @@ struct Finished {
 };
 
 CleanModel load_model(Job& job, ModelOptions const& options);
-Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options);
+Original survey_model(std::shared_ptr<CleanModel const> const& clean, ModelOptions const& options, Job& job);
 Levels simplify_model(Original const& original, ModelOptions const& options);
 Subject subject_of(Original const& original, Levels const& levels, ModelOptions const& options);
 

@@ -40,7 +40,7 @@ SimplifiedMesh shape_model(Job& job) {
 BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   Recipe const& recipe = job.study->recipe();
   if (recipe.painting == Painting::own)
-    return wear_own_texture(light, *job.levels->textured, job.original->model, job.original->samples,
+    return wear_own_texture(light, *job.levels->textured, job.original->model(), job.original->samples,
                             {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth, recipe.normal_bits});
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
   QuantizedMesh const placed =
@@ -51,7 +51,7 @@ BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   options.palette = job.study->options().fit.without != Choice::palette;
   options.normals = recipe.shading == Shading::smooth;
   options.normal_bits = recipe.normal_bits;
-  return paint(placed, job.original->model, job.original->samples, options);
+  return paint(placed, job.original->model(), job.original->samples, options);
 }
 
 FlatCharts flatten_charts(ChartedMesh const& charts, Job& job) {
@@ -79,7 +79,7 @@ BakedModel bake_maps(std::shared_ptr<Atlas const> const& atlas, Job& job) {
   ModelOptions const& options = job.study->options();
   BakeOptions wanted = options.bake;
   wanted.derived_normals = options.encode.x3dom;
-  BakedModel baked = bake(quantize(*atlas, options.quantize), job.original->model, wanted);
+  BakedModel baked = bake(quantize(*atlas, options.quantize), job.original->model(), wanted);
   job.row.bake = baked.statistics;
   return baked;
 }
