@@ -10,23 +10,21 @@
 namespace vitrine {
 namespace {
 
-/// Texels of one row or column that make up one of the next level, and their weights: two, or three of an odd number.
+float mix(float a, float b, float weight) { return a + (b - a) * weight; }
+
+/// Texels of one row or column that make up one of the next level, and the weight of the second.
 struct Taps {
-  int first = 0, count = 1;
-  std::array<float, 3> weights{1, 0, 0};
+  int first = 0, second = 0;
+  float weight = 0;
 };
 
 std::vector<Taps> halve(int size) {
-  if (size == 1) return {Taps{}};
-  std::vector<Taps> taps(static_cast<std::size_t>(size / 2));
-  float const all = float(size), half = float(size / 2);
-  for (int i = 0; i < size / 2; ++i) {
-    taps[i].first = 2 * i;
-    taps[i].count = 2 + size % 2;
-    if (size % 2 == 0)
-      taps[i].weights = {0.5f, 0.5f, 0};
-    else
-      taps[i].weights = {(half - float(i)) / all, half / all, float(i + 1) / all};
+  int const half = std::max(size / 2, 1);
+  std::vector<Taps> taps;
+  for (int i = 0; i < half; ++i) {
+    float const place = (float(i) + 0.5f) * float(size) / float(half) - 0.5f;
+    int const first = int(place);
+    taps.push_back({first, std::min(first + 1, size - 1), place - float(first)});
   }
   return taps;
 }
@@ -51,13 +49,14 @@ Image half_size(Image const& from, ColourSpace space) {
     for (std::size_t x = 0; x < columns.size(); ++x)
       for (int channel = 0; channel < from.channels; ++channel) {
         bool const gamma = space == ColourSpace::srgb && !is_alpha(from, channel);
-        float sum = 0;
-        for (int j = 0; j < rows[y].count; ++j)
-          for (int i = 0; i < columns[x].count; ++i) {
-            std::size_t const texel = std::size_t(rows[y].first + j) * from.width + columns[x].first + i;
-            std::uint8_t const byte = from.texels[texel * from.channels + channel];
-            sum += rows[y].weights[j] * columns[x].weights[i] * (gamma ? kLinearOfSrgb[byte] : float(byte) / 255);
-          }
+        auto const value = [&](int row, int column) {
+          std::uint8_t const byte = from.texels[(std::size_t(row) * from.width + column) * from.channels + channel];
+          return gamma ? kLinearOfSrgb[byte] : float(byte) / 255;
+        };
+        auto const along = [&](int row) {
+          return mix(value(row, columns[x].first), value(row, columns[x].second), columns[x].weight);
+        };
+        float const sum = mix(along(rows[y].first), along(rows[y].second), rows[y].weight);
         to.texels[(y * columns.size() + x) * from.channels + channel] = gamma ? to_srgb_byte(sum) : to_byte(sum);
       }
   });
@@ -92,8 +91,6 @@ Pair neighbours(float wrapped, int size, Wrap mode) {
   int const low = int(place + 1) - 1, last = size - 1, before = mode == Wrap::repeat ? last : 0;
   return {low < 0 ? before : low, low < last ? low + 1 : last - before, place - float(low)};
 }
-
-float mix(float a, float b, float weight) { return a + (b - a) * weight; }
 
 std::array<float, 256> const kShareOfByte = [] {
   std::array<float, 256> table;

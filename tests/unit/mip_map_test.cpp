@@ -39,13 +39,13 @@ TEST(MipMap, BetweenLevelsBothCount) {
   EXPECT_FLOAT_EQ(grey(MipMap(image, ColourSpace::linear), {0.25f, 0.5f}, 0.5f), 0.25f * 254 / 255);
 }
 
-TEST(MipMap, OddSizesKeepTheirMean) {
-  Image const image{3, 1, 1, ColourSpace::linear, {30, 60, 210}};
-  EXPECT_FLOAT_EQ(grey(MipMap(image, ColourSpace::linear), {0.5f, 0.5f}, 1), 100.f / 255);
-  Image const five{5, 1, 1, ColourSpace::linear, {10, 10, 110, 200, 200}};
+TEST(MipMap, OddSizesAreReadAtTheMiddlesOfTheNewTexels) {
+  Image const three{3, 1, 1, ColourSpace::linear, {30, 60, 210}};
+  EXPECT_FLOAT_EQ(grey(MipMap(three, ColourSpace::linear), {0.5f, 0.5f}, 1), 60.f / 255);
+  Image const five{5, 1, 1, ColourSpace::linear, {10, 30, 110, 200, 240}};
   MipMap const map(five, ColourSpace::linear);
-  EXPECT_FLOAT_EQ(grey(map, {0.25f, 0.5f}, 1), 30.f / 255);
-  EXPECT_FLOAT_EQ(grey(map, {0.75f, 0.5f}, 1), 182.f / 255);
+  EXPECT_FLOAT_EQ(grey(map, {0.25f, 0.5f}, 1), 25.f / 255);
+  EXPECT_FLOAT_EQ(grey(map, {0.75f, 0.5f}, 1), 210.f / 255);
 }
 
 TEST(MipMap, WrapsAsTold) {
