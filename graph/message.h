@@ -24,12 +24,13 @@ namespace vitrine::graph {
 
 /// A model as every trial needs it: made once.
 struct Original {
-  SurveyedModel whole;                  ///< what pictures show
-  std::optional<SurveyedModel> outer;   ///< what a thumbnail is made from, where much of the whole is hidden
-  Reference reference;            ///< of the certificate; without pictures where nothing is measured
-  std::vector<Judge> judges;      ///< by which the search decides
-  SurfaceSamples samples;         ///< none where nothing is searched
+  SurveyedModel whole;                 ///< what pictures show
+  std::optional<SurveyedModel> outer;  ///< what a thumbnail is made from, where much of the whole is hidden
+  Reference reference;                 ///< of the certificate; without pictures where nothing is measured
+  std::vector<Judge> judges;           ///< by which the search decides
+  SurfaceSamples samples;              ///< none where nothing is searched
 
+  /// What a thumbnail is made from.
   SurveyedModel const& model() const { return outer ? *outer : whole; }
 };
 

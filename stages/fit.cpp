@@ -174,8 +174,8 @@ class Search : private Inquiry {
     return Answer::worse;
   }
 
-  /// What the simplification did for colours, and where a texture hangs, is kept at first.
   static void wear_facets(Recipe& recipe) { recipe.shading = Shading::facets, recipe.fitted = true; }
+  /// What the simplification did for colours, and where a texture hangs, is kept at first.
   static void wear_normals(Recipe& recipe) {
     recipe.shading = Shading::smooth;
     recipe.fitted = recipe.colour_weight == 0 && recipe.painting != Painting::own;
