@@ -49,8 +49,6 @@ std::vector<Judge> judges_of(SurveyedModel const& model, ModelOptions const& opt
 
 int longer_side(Image const& image) { return std::max(image.width, image.height); }
 
-bool has_textures(SourceModel const& model) { return !model.uvs.empty() && !model.images.empty(); }
-
 /// In model units; 0: none.
 double deviation_limit(Original const& original, ModelOptions const& options) {
   double const radius = original.reference.sphere.radius;
@@ -175,8 +173,7 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
   Subject subject;
   subject.triangles = model.model->mesh.triangles.size();
   subject.coloured = model.surface.coloured();
-  subject.textured = subject.coloured && has_textures(*model.model);
-  if (subject.textured && levels.textured) subject.own_texture = longer_side(own_image(*model.model, *levels.textured));
+  if (levels.textured) subject.own_texture = longer_side(own_image(*model.model, *levels.textured));
   bool const occluded = options.bake.occlusion != Occlusion::none && !has_colour(*model.model);
   if (double const limit = deviation_limit(original, options); limit > 0 && levels.plain)
     subject.fixed_triangles = fewest_within(limit, *levels.plain, original.samples);

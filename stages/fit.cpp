@@ -13,6 +13,10 @@ namespace vitrine {
 namespace {
 
 constexpr int kUsualQuality = 50;              ///< of a map that does not fill its ceiling, to begin with
+constexpr int kPoorQuality = 12;               ///< of a map: another coding may help
+/// Of the cost's logarithm. No texture that was so much worse at first, or with both shadings, became the best one.
+constexpr double kOutOfReach = 0.85, kWithinReach = 0.4;
+constexpr double kAtlasPromise = 0.15;         ///< the same: questions after that of painting gain more where there is an atlas
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
 constexpr int kLeastNormalBits = 4, kMostNormalBits = 10;
 constexpr int kFineBits = 13;                  ///< of a place, where there is room for all triangles
@@ -48,11 +52,12 @@ class Search : private Inquiry {
     using Question = Answer (Search::*)();
     constexpr std::pair<Choice, Question> questions[] = {{Choice::none, &Search::start},
                                                          {Choice::none, &Search::choose_size},
+                                                         {Choice::normals, &Search::choose_shading_of_vertices},
+                                                         {Choice::colour_edges, &Search::choose_colour_quadrics},
+                                                         {Choice::normals, &Search::choose_shading_of_vertices},
                                                          {Choice::none, &Search::choose_painting},
                                                          {Choice::none, &Search::choose_size},
-                                                         {Choice::colour_edges, &Search::choose_colour_quadrics},
                                                          {Choice::bits, &Search::choose_bits_under_a_map},
-                                                         {Choice::none, &Search::choose_texture},
                                                          {Choice::none, &Search::choose_share},
                                                          {Choice::none, &Search::choose_quality},
                                                          {Choice::unfolding, &Search::choose_unfolding},
@@ -88,10 +93,8 @@ class Search : private Inquiry {
     return std::clamp(int(std::sqrt(texels)) / 4 * 4, kSmallestTexture, 1024);
   }
 
+  /// Each painting is compared as it is with the answers that decide most about it.
   Answer choose_painting() {
-    if (subject_.textured && best().painting == Painting::vertices && !is_left_out(Choice::normals) &&
-        choose_shading() == Answer::none)
-      return Answer::none;
     for (Painting painting : {Painting::map, Painting::own})
       if (offers(painting) && try_texture(painting) == Answer::none) return Answer::none;
     return Answer::worse;
@@ -99,32 +102,47 @@ class Search : private Inquiry {
 
   bool offers(Painting painting) const {
     if (painting == Painting::own) return subject_.own_texture > 0 && !is_left_out(Choice::own_texture);
-    return subject_.textured && !is_left_out(Choice::atlas) && best().painting != Painting::map;
+    return subject_.coloured && !is_left_out(Choice::atlas) && best().painting != Painting::map;
   }
 
   /// Smooth first where the original has as few triangles as are shown, then the other way, unless that leads nowhere.
   Answer try_texture(Painting painting) {
     Recipe recipe = best();
     recipe.painting = painting;
+    recipe.colour_weight = 0;
+    recipe.avif = false;
     recipe.texture = first_texture();
-    bool const smooth_first = painting == Painting::own;
-    std::array<double, 2> costs{};
-    for (Shading shading :
-         {smooth_first ? Shading::smooth : Shading::facets, smooth_first ? Shading::facets : Shading::smooth}) {
-      if (shading == Shading::smooth && is_left_out(Choice::normals)) continue;
-      (shading == Shading::smooth ? wear_normals : wear_facets)(recipe);
-      if (ask(recipe) == Answer::none) return Answer::none;
-      costs[std::size_t(shading)] = last_cost();
-      if (last_was_hopeless()) break;
-      recipe = asked();  // its size of the map
+    bool const smooth_first = painting == Painting::own && !is_left_out(Choice::normals);
+    (smooth_first ? wear_normals : wear_facets)(recipe);
+    if (ask(recipe) == Answer::none) return Answer::none;
+    if (last_cost() > cost(best_trial()) + kOutOfReach) return Answer::worse;
+    std::size_t const rival = take_last();
+    if (!is_left_out(Choice::normals)) {
+      double const first = last_cost();
+      Recipe other = asked();
+      (smooth_first ? wear_facets : wear_normals)(other);
+      if (ask(other) == Answer::none) return Answer::none;
+      normals_lost_[std::size_t(painting)] = (smooth_first ? first - last_cost() : last_cost() - first) > kClearly;
     }
-    normals_lost_[std::size_t(painting)] = costs[std::size_t(Shading::smooth)] > costs[std::size_t(Shading::facets)] + kClearly;
+    if (cost(best_trial()) < cost(trial(rival)) + kWithinReach && choose_map() == Answer::none) return Answer::none;
+    take_better(rival, painting == Painting::map ? kAtlasPromise : 0);
     return Answer::worse;
+  }
+
+  Answer choose_map() {
+    Answer const answer = choose_texture();
+    bool const poor = best_trial().map_quality < kPoorQuality && !is_left_out(Choice::avif);
+    return answer != Answer::none && poor ? choose_coding() : answer;
   }
 
   /// What is best for others need not be best for files of the size that the error needs.
   Answer choose_size() {
     return options_.max_error > 0 && subject_.fixed_triangles == 0 ? resize() : Answer::worse;
+  }
+
+  /// Normals and edges of colour pay together, or one of them alone.
+  Answer choose_shading_of_vertices() {
+    return best().painting == Painting::vertices ? choose_shading() : Answer::worse;
   }
 
   Answer choose_colour_quadrics() {

@@ -106,7 +106,6 @@ bool is_filled(Recipe const& recipe);
 struct Subject {
   std::size_t triangles = 0;  ///< of the original: no recipe has more
   bool coloured = false;      ///< colour varies over the surface
-  bool textured = false;      ///< and finer than its vertices
   std::size_t fixed_triangles = 0;  ///< by --max-deviation or --max-px: the fewest that keep to it; 0: free
   int own_texture = 0;        ///< texels of the longer side of the texture that can be kept; 0: none can
   bool avif = false;          ///< maps may be coded so

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace vitrine {
 
@@ -26,6 +27,7 @@ class Inquiry {
   Recipe const& asked() const { return asked_; }  ///< last
   Recipe const& best() const { return history_[best_].recipe; }
   Trial const& best_trial() const { return history_[best_]; }
+  Trial const& trial(std::size_t index) const { return history_[index]; }
   double aim() const;                       ///< bytes: what explorations aim for
   int size() const { return int(usual_); }  ///< bytes of the files that are compared
   int most() const;                         ///< triangles
@@ -39,6 +41,11 @@ class Inquiry {
   Answer ask_as_it_is(Recipe recipe);
   /// What the history says; the better of both recipes is the best one from here on.
   Answer answer_to(Recipe recipe);
+  /// The last trial counts as the best one, whatever it cost. Returns the one that did.
+  std::size_t take_last() { return std::exchange(best_, answered_ - 1); }
+  void take_better(std::size_t trial, double promise) {
+    if (cost(history_[trial]) < cost(history_[best_]) - promise) best_ = trial;
+  }
   /// One way as long as that pays, else the other way.
   Answer walk(Answer (Inquiry::*question)(Recipe), Change one, Change other, int steps = kSteps);
   /// From here on files of about as many bytes as the error needs are compared: found by making the best one larger or
@@ -54,7 +61,6 @@ class Inquiry {
   bool is_hopeless(Trial const& trial) const;
   double cost(Trial const& trial) const;
   double last_cost() const { return cost(history_[answered_ - 1]); }
-  bool last_was_hopeless() const { return is_hopeless(history_[answered_ - 1]); }
 
  private:
   double ceiling() const { return 1000 * options_.max_kb; }

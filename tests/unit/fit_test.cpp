@@ -21,17 +21,17 @@ struct World {
   std::function<double(Recipe const&)> penalty = [](Recipe const&) { return 1.0; };
 
   Trial operator()(Recipe const& recipe) const {
-    double map = 0, rate = facet_rate + 0.1 * (recipe.position_bits - 10);
+    double map = 0, quality = 0, rate = facet_rate + 0.1 * (recipe.position_bits - 10);
     if (recipe.painting == Painting::vertices) rate += vertex_rate;
     if (is_textured(recipe)) rate += 0.8;
     if (recipe.shading == Shading::smooth) rate += 0.5;
     if (is_textured(recipe)) {
       double const at_50 = map_bits / 8 * recipe.texture * recipe.texture, room = 0.99 * recipe.ceiling - 700 - rate * recipe.triangles;
-      double const quality = recipe.map_quality > 0 ? recipe.map_quality : std::clamp(50 * room / at_50, 5.0, 95.0);
+      quality = recipe.map_quality > 0 ? recipe.map_quality : std::clamp(50 * room / at_50, 5.0, 95.0);
       map = at_50 * quality / 50;
     }
     double const error = 2000 * penalty(recipe) / std::pow(recipe.triangles, 1.2);
-    return {recipe, std::size_t(700 + map + rate * recipe.triangles), std::size_t(map), 0, error, error * 0.05};
+    return {recipe, std::size_t(700 + map + rate * recipe.triangles), std::size_t(map), int(quality), error, error * 0.05};
   }
 };
 
@@ -49,10 +49,10 @@ Trial winner(Subject const& subject, FitOptions const& options, World const& wor
   return history[best_trial(subject, options, history)];
 }
 
-constexpr Subject kPlain{100'000}, kPainted{100'000, true}, kPhoto{100'000, true, true};
+constexpr Subject kPlain{100'000}, kPainted{100'000, true};
 
 TEST(Fit, ShrinksWhatNotEvenThePoorestQualityMakesSmallEnough) {
-  constexpr Subject holes{.triangles = 100'000, .coloured = true, .textured = true, .needs_map = true};
+  constexpr Subject holes{.triangles = 100'000, .coloured = true, .needs_map = true};
   World const noise{.map_bits = 80};  // unlike any map that the byte model was made by
   for (double kb : {2.0, 8.0, 16.0}) EXPECT_LE(double(winner(holes, {.max_kb = kb}, noise).bytes), 1000 * kb);
 }
@@ -89,7 +89,7 @@ TEST(Fit, NormalsAreAsFineAsPays) {
 }
 
 TEST(Fit, FillsTheCeilingAndNeverExceedsIt) {
-  for (Subject const& subject : {kPlain, kPainted, kPhoto})
+  for (Subject const& subject : {kPlain, kPainted})
     for (double kb : {2.0, 5.0, 8.0, 16.0, 32.0, 100.0}) {
       Trial const best = winner(subject, {.max_kb = kb}, {});
       EXPECT_LE(double(best.bytes), 1000 * kb);
@@ -98,7 +98,7 @@ TEST(Fit, FillsTheCeilingAndNeverExceedsIt) {
 }
 
 TEST(Fit, EndsSoon) {
-  for (Subject const& subject : {kPlain, kPainted, kPhoto})
+  for (Subject const& subject : {kPlain, kPainted})
     for (double kb : {1.0, 8.0, 32.0}) EXPECT_LE(search(subject, {.max_kb = kb}, {}).size(), 30u);
 }
 
@@ -106,8 +106,17 @@ TEST(Fit, TakesWhatLowersTheErrorAtEqualBytes) {
   World maps_win, vertices_win;
   maps_win.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 0.2 : 1; };
   vertices_win.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 2 : 1; };
-  EXPECT_EQ(winner(kPhoto, {.max_kb = 16}, maps_win).recipe.painting, Painting::map);
-  EXPECT_EQ(winner(kPhoto, {.max_kb = 16}, vertices_win).recipe.painting, Painting::vertices);
+  EXPECT_EQ(winner(kPainted, {.max_kb = 16}, maps_win).recipe.painting, Painting::map);
+  EXPECT_EQ(winner(kPainted, {.max_kb = 16}, vertices_win).recipe.painting, Painting::vertices);
+}
+
+TEST(Fit, ColoursPerVertexAreComparedWithAnAtlasAtTheirOwnBest) {
+  World edges_pay;  // with normals alone
+  edges_pay.penalty = [](Recipe const& r) {
+    if (r.painting == Painting::map) return 0.3;
+    return r.shading == Shading::smooth && r.colour_weight > 0 ? 0.2 : r.shading == Shading::smooth ? 0.5 : 1.0;
+  };
+  EXPECT_EQ(winner(kPainted, {}, edges_pay).recipe.painting, Painting::vertices);
 }
 
 TEST(Fit, UsesNormalsOnlyWhereTheyPay) {
@@ -120,7 +129,7 @@ TEST(Fit, UsesNormalsOnlyWhereTheyPay) {
 TEST(Fit, AsksNoNearlySameRecipeTwice) {
   World facets_win;
   facets_win.penalty = [](Recipe const& r) { return r.shading == Shading::smooth ? 2.0 : 1.0; };
-  for (Subject const& subject : {kPlain, kPainted, kPhoto}) {
+  for (Subject const& subject : {kPlain, kPainted}) {
     std::vector<Trial> const history = search(subject, {.max_kb = 16}, facets_win);
     std::size_t const explored = history.size() - (is_filled(history.back().recipe) ? 0 : 6);  // land() may come close
     for (std::size_t i = 0; i < explored; ++i)
@@ -138,7 +147,7 @@ TEST(Fit, AsksOfNormalsOverAMapOnceWhereTheyLose) {
   facets_win.penalty = [](Recipe const& r) {
     return (r.painting == Painting::map ? 0.2 : 1) * (r.shading == Shading::smooth ? 2 : 1);
   };
-  auto const history = search(kPhoto, {.max_kb = 16}, facets_win);
+  auto const history = search(kPainted, {.max_kb = 16}, facets_win);
   auto const unfolded = std::ranges::find(history, Unfolding::rigid, [](Trial const& t) { return t.recipe.unfolding; });
   auto const smooth = [](Trial const& t) { return t.recipe.painting == Painting::map && t.recipe.shading == Shading::smooth; };
   ASSERT_NE(unfolded, history.end());
@@ -149,31 +158,51 @@ TEST(Fit, AsksOfNormalsOverAMapOnceWhereTheyLose) {
 TEST(Fit, SpendsOnTheMapWhatTheOriginalsFewTrianglesLeave) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 256.0 / r.texture : 4; };
-  Subject const box{24, true, true};
+  Subject const box{24, true};
   Trial const best = winner(box, {.max_kb = 16}, world);
   EXPECT_LE(best.recipe.triangles, 40);
   EXPECT_GT(best.recipe.texture, 256);
 }
 
 TEST(Fit, BeginsWithFinePlacesWhereAllTrianglesFit) {  // coarse ones would hide what each of the other choices is worth
-  Subject const spider{1368, true, true};
+  Subject const spider{1368, true};
   std::vector<Trial> const history = search(spider, {.max_kb = 16}, {});
   EXPECT_EQ(history.front().recipe.position_bits, 13);
   EXPECT_TRUE(std::ranges::all_of(history, [](Trial const& t) { return t.recipe.colour_weight == 0; }));  // nothing collapses
-  EXPECT_EQ(search(kPhoto, {.max_kb = 16}, {}).front().recipe.position_bits, 10);
+  EXPECT_EQ(search(kPainted, {.max_kb = 16}, {}).front().recipe.position_bits, 10);
 }
 
 TEST(Fit, KeepsTheOriginalsTextureWhereThatIsBestAndNoLargerThanItIs) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::own ? 0.1 : 1; };
-  Subject const knot{.triangles = 2880, .coloured = true, .textured = true, .own_texture = 64};
+  Subject const knot{.triangles = 2880, .coloured = true, .own_texture = 64};
   for (Trial const& trial : search(knot, {.max_kb = 16}, world)) EXPECT_TRUE(trial.recipe.painting != Painting::own || trial.recipe.texture <= 64);
   EXPECT_EQ(winner(knot, {.max_kb = 16}, world).recipe.painting, Painting::own);
-  for (Trial const& trial : search(kPhoto, {.max_kb = 16}, world)) EXPECT_NE(trial.recipe.painting, Painting::own);
+  for (Trial const& trial : search(kPainted, {.max_kb = 16}, world)) EXPECT_NE(trial.recipe.painting, Painting::own);
+}
+
+TEST(Fit, ComparesAnAtlasWithTheOriginalsTextureAtTheSizeThatIsBest) {
+  World world;
+  world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 100.0 / r.texture : r.painting == Painting::own ? 0.25 : 1; };
+  Subject const amphora{.triangles = 12'000, .coloured = true, .own_texture = 256};
+  std::vector<Trial> const history = search(amphora, {.max_kb = 16}, world);
+  auto const first = std::ranges::find(history, Painting::map, [](Trial const& t) { return t.recipe.painting; });
+  ASSERT_NE(first, history.end());
+  EXPECT_GT(world.penalty(first->recipe), 0.25);
+  EXPECT_EQ(history[best_trial(amphora, {.max_kb = 16}, history)].recipe.painting, Painting::map);
+}
+
+TEST(Fit, AsksForAnotherCodingBeforeAMapOfPoorQualityLoses) {
+  World noise{.map_bits = 6};
+  noise.penalty = [](Recipe const& r) { return r.painting != Painting::map ? 0.6 : r.avif ? 0.1 : 0.27; };
+  Subject painted = kPainted;
+  EXPECT_EQ(winner(painted, {}, noise).recipe.painting, Painting::vertices);
+  painted.avif = true;
+  EXPECT_EQ(winner(painted, {}, noise).recipe.painting, Painting::map);
 }
 
 TEST(Fit, KeepsWhatCutsOutInAMap) {
-  Subject const leaf{.triangles = 50'000, .coloured = true, .textured = true, .needs_map = true};
+  Subject const leaf{.triangles = 50'000, .coloured = true, .needs_map = true};
   for (Trial const& trial : search(leaf, {.max_kb = 8}, {})) EXPECT_EQ(trial.recipe.painting, Painting::map);
 }
 
@@ -188,7 +217,7 @@ TEST(Fit, ComesBackFromFilesTooSmallForAnError) {  // where error falls faster t
   steep.penalty = [](Recipe const& r) {
     return std::pow(1300.0 / r.triangles, 4) * (r.painting == Painting::map ? 0.002 : 1);
   };
-  Trial const best = winner({1300, true, true}, {.max_kb = 16, .max_error = 0.01}, steep);
+  Trial const best = winner({1300, true}, {.max_kb = 16, .max_error = 0.01}, steep);
   EXPECT_LE(best.error, 0.01);
   EXPECT_LT(best.bytes, 5500u);
 }
@@ -196,7 +225,7 @@ TEST(Fit, ComesBackFromFilesTooSmallForAnError) {  // where error falls faster t
 TEST(Fit, GrowsTheMapAsAnErrorNeedsWhereTheOriginalHasNoMoreTriangles) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 5000.0 / r.ceiling : 4; };
-  Subject const box{1000, true, true};
+  Subject const box{1000, true};
   for (double error : {0.2, 0.05}) {
     Trial const best = winner(box, {.max_kb = 400, .max_error = error}, world);
     EXPECT_LE(best.error, error);
