@@ -31,12 +31,17 @@ ImageQuality wanted(EncodeOptions const& options) {
   return {codec_asked_for(options.colour_codec).value_or(usual), options.colour_quality};
 }
 
-/// The logarithm of the bytes rises with the quality about as a line does: the next quality is where the line through
-/// the last two meets the room.
+/// Of the logarithm of the bytes with the quality, as it was for atlases of scans.
+double usual_rise(ImageQuality const& quality) {
+  double const webp = 0.05 - 0.009 * std::log(std::max(quality.quality, 5));
+  return quality.codec == ImageCodec::avif ? 2 * webp : webp;
+}
+
+/// The next quality is where the line through the last two, in the logarithm of the bytes, meets the room.
 CodedColour largest_within(std::size_t room, Image const& map, EncodeOptions options) {
   constexpr int kLowest = 5, kHighest = 95;
   constexpr double kAim = 0.9875, kNear = 0.975;                       // of the room
-  constexpr double kUsualRise = 0.02, kLeastRise = 0.005, kMostRise = 0.1;  // of the logarithm
+  constexpr double kLeastRise = 0.005, kMostRise = 0.1;  // of the logarithm
   struct Point {
     int quality;
     double filled;  ///< logarithm of the share of the room
@@ -51,7 +56,7 @@ CodedColour largest_within(std::size_t room, Image const& map, EncodeOptions opt
     (fits ? low : high) = here.quality + (fits ? 1 : -1);
     if (fits || here.quality == kLowest) best = std::move(coded);
     if (low > high || (fits && here.filled >= std::log(kNear))) return *std::move(best);
-    double const rise = before ? (here.filled - before->filled) / (here.quality - before->quality) : kUsualRise;
+    double const rise = before ? (here.filled - before->filled) / (here.quality - before->quality) : usual_rise(wanted(options));
     options.colour_quality +=
         int(std::lround((std::log(kAim) - here.filled) / std::clamp(rise, kLeastRise, kMostRise)));
     before = here;

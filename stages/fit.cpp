@@ -35,6 +35,8 @@ class Search : private Inquiry {
   }
 
  private:
+  using Question = Answer (Search::*)();
+
   /// The smallest file so far with less of everything, as long as none keeps to the ceiling: not even the poorest quality
   /// makes up for too many triangles.
   std::optional<Recipe> shrunk() const {
@@ -49,7 +51,6 @@ class Search : private Inquiry {
   }
 
   Answer explore() {
-    using Question = Answer (Search::*)();
     constexpr std::pair<Choice, Question> questions[] = {{Choice::none, &Search::start},
                                                          {Choice::none, &Search::choose_size},
                                                          {Choice::normals, &Search::choose_shading_of_vertices},
@@ -130,9 +131,9 @@ class Search : private Inquiry {
   }
 
   Answer choose_map() {
-    Answer const answer = choose_texture();
-    bool const poor = best_trial().map_quality < kPoorQuality && !is_left_out(Choice::avif);
-    return answer != Answer::none && poor ? choose_coding() : answer;
+    for (Question question : {&Search::choose_poor_coding, &Search::choose_texture, &Search::choose_poor_coding})
+      if ((this->*question)() == Answer::none) return Answer::none;
+    return Answer::worse;
   }
 
   /// What is best for others need not be best for files of the size that the error needs.
@@ -173,6 +174,10 @@ class Search : private Inquiry {
     Answer answer = ask_with([](Recipe& r) { r.avif = true; });
     for (int step = 0; step < kSteps && answer == Answer::better; ++step) answer = ask_with(more_texels);
     return answer;
+  }
+
+  Answer choose_poor_coding() {
+    return best_trial().map_quality < kPoorQuality && !is_left_out(Choice::avif) ? choose_coding() : Answer::worse;
   }
 
   Answer choose_quality() {

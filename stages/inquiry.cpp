@@ -17,9 +17,11 @@ constexpr double kFirstKb = 8;       ///< where a search by error begins
 constexpr double kMiss = 0.12;       ///< relative: a trial this far from what was aimed at is asked again
 constexpr double kSame = 0.02;       ///< relative: between numbers of triangles
 constexpr double kHopeless = 0.7;    ///< in the cost's logarithm
+constexpr double kMostMapShare = 0.8;  ///< of the bytes: a map that no quality makes smaller has too many texels
+constexpr double kExcessPower = 3;   ///< error rises so where a map is made to fit that not even the poorest quality does
 constexpr int kSmallestFile = 1000;  ///< bytes
 constexpr int kLargestTexture = 8192;
-constexpr int kLandings = 6;  ///< trials that may be spent on meeting the limit
+constexpr int kLandings = 9;  ///< trials that may be spent on meeting the limit
 
 }  // namespace
 
@@ -66,10 +68,11 @@ Inquiry::Answer Inquiry::ask(Recipe recipe) {
   Trial const& first = history_[answered_ - 1];
   if (subject_.fixed_triangles > 0 || is_hopeless(first) || std::abs(std::log(double(first.bytes) / aim())) < kMiss)
     return answer;
-  double const share = double(first.map_bytes) / (kMapShare * aim());
-  if (share > 1 && !is_filled(recipe))
-    recipe.texture = std::max(kSmallestTexture, int(recipe.texture / std::sqrt(share)));
-  recipe.triangles = is_filled(recipe) ? beside(double(first.map_bytes), recipe) : affordable(recipe);
+  double const share = double(first.map_bytes) / aim();
+  bool const too_large = share > (is_filled(recipe) ? kMostMapShare : kMapShare);
+  if (too_large) recipe.texture = std::max(kSmallestTexture, int(recipe.texture * std::sqrt(kMapShare / share)));
+  double const map_bytes = too_large ? kMapShare * aim() : double(first.map_bytes);
+  recipe.triangles = is_filled(recipe) ? beside(map_bytes, recipe) : affordable(recipe);
   if (is_tried(recipe)) return answer;
   answer = answer_to(recipe);
   return answer == Answer::none ? answer : best_ == before ? Answer::worse : Answer::better;
@@ -118,8 +121,10 @@ bool Inquiry::is_hopeless(Trial const& trial) const { return cost(trial) > cost(
 double Inquiry::cost(Trial const& trial) const {
   if (std::isinf(trial.error)) return trial.error;
   if (subject_.fixed_triangles > 0) return size_cost(trial);
-  if (is_filled(trial.recipe) && trial.bytes <= std::size_t(trial.recipe.ceiling))
-    return std::log(std::max(trial.score, 1e-9));
+  if (is_filled(trial.recipe)) {
+    double const excess = std::max(1.0, double(trial.bytes) / trial.recipe.ceiling);
+    return std::log(std::max(trial.score, 1e-9)) + kExcessPower * std::log(excess);
+  }
   double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / bytes_per_triangle(trial);
   double const triangles = std::clamp(allowed, 1.0, std::max(1.0, double(most())));
   return std::log(std::max(trial.score, 1e-9)) - kErrorPower * std::log(triangles / trial.recipe.triangles);

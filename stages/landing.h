@@ -28,8 +28,8 @@ struct Landing {
 ///         the ceiling to 97 %, or where there is nothing in between.
 std::optional<int> triangles_for_bytes(std::span<Trial const> like, Landing const& limits);
 
-/// The same for trials that only their extent tells apart, by the power law through the nearest ones; nothing once one
-/// is within 4 % of the error.
+/// The same for trials that only their extent tells apart, by the power law through the nearest ones, later by
+/// halves in turn with it; nothing once one is within 4 % of the error.
 std::optional<int> extent_for_error(std::span<Trial const> like, Landing const& limits);
 
 }  // namespace vitrine

@@ -222,6 +222,26 @@ TEST(Fit, ComesBackFromFilesTooSmallForAnError) {  // where error falls faster t
   EXPECT_LT(best.bytes, 5500u);
 }
 
+TEST(Fit, HalvesTheGapWhereTheErrorFallsAllAtOnce) {
+  constexpr double kMost = 0.1, kEnough = 12'000;
+  World cliff;
+  cliff.penalty = [](Recipe const& r) { return (r.triangles < kEnough ? 1.3 : 0.2) * kMost * std::pow(r.triangles, 1.2) / 2000; };
+  Trial const best = winner(kPlain, {.max_kb = 200, .max_error = kMost}, cliff);
+  EXPECT_LE(best.error, kMost);
+  EXPECT_LT(best.recipe.triangles, 1.1 * kEnough);
+}
+
+TEST(Fit, AMapThatFitsAtNoQualityGetsFewerTexels) {
+  World const noise{.map_bits = 16, .penalty = [](Recipe const& r) { return r.painting == Painting::map ? 0.05 : 1.0; }};
+  std::vector<Trial> const history = search(kPainted, {}, noise);
+  auto const map = std::ranges::find(history, Painting::map, [](Trial const& t) { return t.recipe.painting; });
+  ASSERT_LT(map + 1, history.end());
+  EXPECT_GT(map->bytes, 16'000u);
+  EXPECT_EQ(map[1].recipe.painting, Painting::map);
+  EXPECT_LT(map[1].recipe.texture, map->recipe.texture);
+  EXPECT_LE(map[1].bytes, 16'000u);
+}
+
 TEST(Fit, GrowsTheMapAsAnErrorNeedsWhereTheOriginalHasNoMoreTriangles) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 5000.0 / r.ceiling : 4; };
