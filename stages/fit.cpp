@@ -47,7 +47,8 @@ class Search : private Inquiry {
     double const share = kLess * 1000 * options_.max_kb / double(smallest.bytes);
     recipe.triangles = std::max(kFewest, int(recipe.triangles * share));
     recipe.texture = std::max(kSmallestTexture, int(recipe.texture * std::sqrt(share)));
-    return recipe == smallest.recipe ? std::nullopt : std::optional(recipe);
+    bool const tried = std::ranges::find(history_, recipe, &Trial::recipe) != history_.end();
+    return tried ? std::nullopt : std::optional(recipe);
   }
 
   Answer explore() {

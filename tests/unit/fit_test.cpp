@@ -99,7 +99,9 @@ TEST(Fit, FillsTheCeilingAndNeverExceedsIt) {
 
 TEST(Fit, EndsSoon) {
   for (Subject const& subject : {kPlain, kPainted})
-    for (double kb : {1.0, 8.0, 32.0}) EXPECT_LE(search(subject, {.max_kb = kb}, {}).size(), 30u);
+    for (double kb : {0.5, 1.0, 8.0, 32.0})
+      for (World const& world : {World{}, World{.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 1e-3 : 1; }}})
+        EXPECT_LE(search(subject, {.max_kb = kb}, world).size(), 30u) << kb;
 }
 
 TEST(Fit, TakesWhatLowersTheErrorAtEqualBytes) {
