@@ -61,12 +61,22 @@ void use_one_thread() {
   (void)once;
 }
 
+/// OpenImageIO 2.4 unpacks these past the end of what it was given where the palette is grey, and looks colours up in
+/// palettes that are not there.
+bool is_run_length_coded(Bytes bytes) {
+  constexpr std::size_t kHeaderSize = 14, kCompression = 30;
+  if (bytes.size() <= kCompression || bytes[kHeaderSize] == std::byte{12}) return false;  // the first header has none
+  return bytes[kCompression] == std::byte{1} || bytes[kCompression] == std::byte{2};
+}
+
 std::unique_ptr<Reader> open(Bytes bytes, std::string const& format, ReadLimits const& limits) {
   use_one_thread();
   if (format == "gif" && bytes.size() >= 10) {  // its reader makes the canvas when it opens
     auto const at = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
     check_size(at(6) | at(7) << 8, at(8) | at(9) << 8, bytes.size(), limits);
   }
+  if (format == "bmp" && is_run_length_coded(bytes))
+    refuse(ErrorKind::unsupported, "run-length coded bmp images are not read");
   auto reader = std::make_unique<Reader>(bytes);
   reader->input = OIIO::ImageInput::create(format);
   if (!reader->input) refuse(ErrorKind::unsupported, format + " images are not read: " + OIIO::geterror());

@@ -116,17 +116,28 @@ TEST(ImageCodec, SaysWhichColourSpaceTheCallerAskedFor) {
   EXPECT_EQ(decode_image(encoded.bytes, ColourSpace::linear).space, ColourSpace::linear);
 }
 
-TEST(ImageCodec, ReadsAWindowsBitmapWithTheTopRowFirst) {
-  // Two rows of one texel, stored bottom up as B, G, R and a byte of padding: blue below, red above.
+/// One texel wide, two high.
+std::vector<std::byte> bitmap(int depth, int compression, std::initializer_list<std::uint32_t> words) {
   std::string bmp("BM", 2);
   auto const put = [&](std::uint32_t value, int bytes) {
     for (int k = 0; k < bytes; ++k) bmp.push_back(static_cast<char>(value >> 8 * k & 0xFF));
   };
-  put(62, 4), put(0, 4), put(54, 4), put(40, 4), put(1, 4), put(2, 4), put(1, 2), put(24, 2);
-  for (int k = 0; k < 6; ++k) put(0, 4);
-  put(0x0000FF, 4), put(0xFF0000, 4);
-  Image const image = decode_image(bytes_of(bmp), ColourSpace::srgb);
+  put(62, 4), put(0, 4), put(54, 4), put(40, 4), put(1, 4), put(2, 4), put(1, 2), put(std::uint32_t(depth), 2);
+  put(std::uint32_t(compression), 4);
+  for (int k = 0; k < 5; ++k) put(0, 4);
+  for (std::uint32_t word : words) put(word, 4);
+  return bytes_of(bmp);
+}
+
+TEST(ImageCodec, ReadsAWindowsBitmapWithTheTopRowFirst) {
+  // Stored bottom up as B, G, R and a byte of padding: blue below, red above.
+  Image const image = decode_image(bitmap(24, 0, {0x0000FF, 0xFF0000}), ColourSpace::srgb);
   EXPECT_THAT(image.texels, testing::ElementsAre(255, 0, 0, 0, 0, 255));
+}
+
+TEST(ImageCodec, RefusesRunLengthCodedBitmaps) {  // without a palette they end the process within the library
+  for (int depth : {8, 24})
+    for (int compression : {1, 2}) EXPECT_EQ(kind_of_failure(bitmap(depth, compression, {0x0101, 0x0100})), ErrorKind::unsupported);
 }
 
 TEST(ImageCodec, SixteenBitsBecomeEight) {
