@@ -40,7 +40,7 @@ double usual_rise(ImageQuality const& quality) {
 /// The next quality is where the line through the last two, in the logarithm of the bytes, meets the room.
 CodedColour largest_within(std::size_t room, Image const& map, EncodeOptions options) {
   constexpr int kLowest = 5, kHighest = 95;
-  constexpr double kAim = 0.9875, kNear = 0.975;                       // of the room
+  constexpr double kAim = 0.9875, kNear = 0.975;         // of the room
   constexpr double kLeastRise = 0.005, kMostRise = 0.1;  // of the logarithm
   struct Point {
     int quality;
@@ -51,12 +51,14 @@ CodedColour largest_within(std::size_t room, Image const& map, EncodeOptions opt
   for (int low = kLowest, high = kHighest;;) {
     options.colour_quality = std::clamp(options.colour_quality, low, high);
     CodedColour coded{encode_image(map, wanted(options)), options.colour_quality};
-    Point const here{coded.quality, std::log(double(coded.image.bytes.size()) / double(std::max<std::size_t>(room, 1)))};
+    Point const here{coded.quality,
+                     std::log(double(coded.image.bytes.size()) / double(std::max<std::size_t>(room, 1)))};
     bool const fits = here.filled <= 0;
     (fits ? low : high) = here.quality + (fits ? 1 : -1);
     if (fits || here.quality == kLowest) best = std::move(coded);
     if (low > high || (fits && here.filled >= std::log(kNear))) return *std::move(best);
-    double const rise = before ? (here.filled - before->filled) / (here.quality - before->quality) : usual_rise(wanted(options));
+    double const rise =
+        before ? (here.filled - before->filled) / (here.quality - before->quality) : usual_rise(wanted(options));
     options.colour_quality +=
         int(std::lround((std::log(kAim) - here.filled) / std::clamp(rise, kLeastRise, kMostRise)));
     before = here;

@@ -12,15 +12,16 @@
 namespace vitrine {
 namespace {
 
-constexpr int kUsualQuality = 50;              ///< of a map that does not fill its ceiling, to begin with
-constexpr int kPoorQuality = 12;               ///< of a map: another coding may help
+constexpr int kUsualQuality = 50;  ///< of a map that does not fill its ceiling, to begin with
+constexpr int kPoorQuality = 12;   ///< of a map: another coding may help
 /// Of the cost's logarithm. No texture that was so much worse at first, or with both shadings, became the best one.
 constexpr double kOutOfReach = 0.85, kWithinReach = 0.4;
-constexpr double kAtlasPromise = 0.15;         ///< the same: questions after that of painting gain more where there is an atlas
+/// The same: what is asked after the painting gains so much more where there is an atlas than for colours per vertex.
+constexpr double kAtlasPromise = 0.15;
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
 constexpr int kLeastNormalBits = 4, kMostNormalBits = 10;
-constexpr int kFineBits = 13;                  ///< of a place, where there is room for all triangles
-constexpr double kClearly = 0.1;               ///< of the cost's logarithm: what wins or loses by more is not asked again
+constexpr int kFineBits = 13;     ///< of a place, where there is room for all triangles
+constexpr double kClearly = 0.1;  ///< of the cost's logarithm: what wins or loses by more is not asked again
 
 class Search : private Inquiry {
  public:
@@ -37,8 +38,8 @@ class Search : private Inquiry {
  private:
   using Question = Answer (Search::*)();
 
-  /// The smallest file so far with less of everything, as long as none keeps to the ceiling: not even the poorest quality
-  /// makes up for too many triangles.
+  /// The smallest file so far with less of everything, as long as none keeps to the ceiling: not even the poorest
+  /// quality makes up for too many triangles.
   std::optional<Recipe> shrunk() const {
     constexpr double kLess = 0.9;
     if (best_within(subject_, options_, history_)) return {};
@@ -138,9 +139,7 @@ class Search : private Inquiry {
   }
 
   /// What is best for others need not be best for files of the size that the error needs.
-  Answer choose_size() {
-    return options_.max_error > 0 && subject_.fixed_triangles == 0 ? resize() : Answer::worse;
-  }
+  Answer choose_size() { return options_.max_error > 0 && subject_.fixed_triangles == 0 ? resize() : Answer::worse; }
 
   /// Normals and edges of colour pay together, or one of them alone.
   Answer choose_shading_of_vertices() {
@@ -157,9 +156,7 @@ class Search : private Inquiry {
 
   Answer choose_texture() {
     if (!is_textured(best())) return Answer::worse;
-    return walk(
-        &Search::ask, more_texels,
-        [](Recipe& r) { r.texture = r.texture * 4 / 5; });
+    return walk(&Search::ask, more_texels, [](Recipe& r) { r.texture = r.texture * 4 / 5; });
   }
 
   Answer choose_share() {
@@ -210,8 +207,8 @@ class Search : private Inquiry {
     return ask_with([](Recipe& r) { r.fitted = !r.fitted; });
   }
 
-  /// Many facets shade better than fewer smooth triangles, up to some size of the file. Where it is close, coarser places
-  /// may yet pay for the facets that they lack.
+  /// Many facets shade better than fewer smooth triangles, up to some size of the file. Where it is close, coarser
+  /// places may yet pay for the facets that they lack.
   Answer choose_shading() {
     if ((aim() < 7000 && !is_whole(best_trial())) || best().shading == Shading::smooth) return Answer::worse;
     if (normals_lost_[std::size_t(best().painting)]) return Answer::worse;

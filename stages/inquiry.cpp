@@ -12,13 +12,14 @@
 namespace vitrine {
 namespace {
 
-constexpr double kFill = 0.975;      ///< of the ceiling: what explorations aim for
-constexpr double kFirstKb = 8;       ///< where a search by error begins
-constexpr double kMiss = 0.12;       ///< relative: a trial this far from what was aimed at is asked again
-constexpr double kSame = 0.02;       ///< relative: between numbers of triangles
-constexpr double kHopeless = 0.7;    ///< in the cost's logarithm
+constexpr double kFill = 0.975;        ///< of the ceiling: what explorations aim for
+constexpr double kFirstKb = 8;         ///< where a search by error begins
+constexpr double kMiss = 0.12;         ///< relative: a trial this far from what was aimed at is asked again
+constexpr double kSame = 0.02;         ///< relative: between numbers of triangles
+constexpr double kHopeless = 0.7;      ///< in the cost's logarithm
 constexpr double kMostMapShare = 0.8;  ///< of the bytes: a map that no quality makes smaller has too many texels
-constexpr double kExcessPower = 3;   ///< error rises so where a map is made to fit that not even the poorest quality does
+constexpr double kExcessPower =
+    3;  ///< error rises so where a map is made to fit that not even the poorest quality does
 constexpr int kSmallestFile = 1000;  ///< bytes
 constexpr int kLargestTexture = 8192;
 constexpr int kLandings = 9;  ///< trials that may be spent on meeting the limit
@@ -202,7 +203,8 @@ double Inquiry::bytes_for_error(Trial const& here, Trial const* before) const {
   if (before && before->bytes != here.bytes)
     power = std::log(before->error / here.error) / std::log(double(here.bytes) / double(before->bytes));
   double const excess = std::max(here.error, 1e-6) / options_.max_error;
-  return double(here.bytes) * std::pow(excess, 1 / (power > 0 ? std::clamp(power, kLeastPower, kMostPower) : kErrorPower));
+  return double(here.bytes) *
+         std::pow(excess, 1 / (power > 0 ? std::clamp(power, kLeastPower, kMostPower) : kErrorPower));
 }
 
 }  // namespace vitrine

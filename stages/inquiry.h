@@ -14,7 +14,7 @@ namespace vitrine {
 inline constexpr double kMapShare = 0.5;  ///< of the bytes: for a first map
 inline constexpr int kSmallestTexture = 16;
 inline constexpr int kFewest = 40;  ///< triangles
-inline constexpr int kSteps = 3;  ///< in one direction
+inline constexpr int kSteps = 3;    ///< in one direction
 
 /// Questions are asked in the same order each time; the trials so far answer the first of them.
 class Inquiry {

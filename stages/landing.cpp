@@ -13,7 +13,7 @@ namespace {
 constexpr double kAim = 0.99, kFull = 0.97;       ///< of the ceiling
 constexpr double kAimError = 0.98, kNear = 0.96;  ///< of the error
 
-constexpr std::size_t kLines = 4;  ///< trials: where these led nowhere, every other one halves the gap
+constexpr std::size_t kLines = 4;    ///< trials: where these led nowhere, every other one halves the gap
 constexpr double kLeastPower = 0.3;  ///< with which error is taken to fall: no step is larger than it would need
 
 double log_ratio(double a, double b) { return std::log(std::max(a, 1e-6) / std::max(b, 1e-6)); }
@@ -51,7 +51,8 @@ std::optional<int> extent_for_error(std::span<Trial const> like, Landing const& 
   int const low = good == trials.begin() ? limits.least : extent(good[-1].recipe) + 1;
   int const high = any ? extent(good->recipe) - 1 : limits.most;
   if (any && good->error >= kNear * limits.max_error) return {};
-  if (both && trials.size() >= kLines && trials.size() % 2 == 0) return between(std::sqrt(double(low) * high), low, high);
+  if (both && trials.size() >= kLines && trials.size() % 2 == 0)
+    return between(std::sqrt(double(low) * high), low, high);
   // The line in logarithms through the two that are next to the error.
   Trial const& from = any ? *good : trials.back();
   Trial const* other = both ? &good[-1] : trials.size() > 1 ? (any ? &good[1] : &trials.end()[-2]) : nullptr;

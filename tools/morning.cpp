@@ -39,8 +39,9 @@ std::string hours(double seconds) {
 }
 
 std::string size(std::uint64_t bytes) {
-  return bytes < 1'000'000 ? fmt::format("{:.1f} KB", double(bytes) / 1e3)
-                           : bytes < 1'000'000'000 ? fmt::format("{:.1f} MB", double(bytes) / 1e6) : fmt::format("{:.2f} GB", double(bytes) / 1e9);
+  return bytes < 1'000'000       ? fmt::format("{:.1f} KB", double(bytes) / 1e3)
+         : bytes < 1'000'000'000 ? fmt::format("{:.1f} MB", double(bytes) / 1e6)
+                                 : fmt::format("{:.2f} GB", double(bytes) / 1e9);
 }
 
 /// "12 of 20 models converted, …": the one line that says it all.
@@ -66,12 +67,16 @@ std::string table_row(std::vector<std::string> const& cells, bool last_is_number
 
 std::string problems_html(Summary const& s) {
   if (s.problems.empty()) return "";
-  std::string out = "<h2>What went wrong</h2>\n<table><tr><th>Model</th><th></th><th>Where</th><th>Why, and what to do</th></tr>\n";
+  std::string out =
+      "<h2>What went wrong</h2>\n<table><tr><th>Model</th><th></th><th>Where</th><th>Why, and what to do</th></tr>\n";
   for (Summary::Problem const& p : s.problems)
-    out += fmt::format("<tr><td>{}</td><td class=\"bad\">{}{}</td><td>{}</td><td>{}<br><span class=\"quiet\">{}</span></td></tr>\n", html(p.input),
-                       html(p.status), p.is_new ? ", new" : ", known", html(p.stage), html(p.reason), html(p.remedy));
+    out += fmt::format(
+        "<tr><td>{}</td><td class=\"bad\">{}{}</td><td>{}</td><td>{}<br><span class=\"quiet\">{}</span></td></tr>\n",
+        html(p.input), html(p.status), p.is_new ? ", new" : ", known", html(p.stage), html(p.reason), html(p.remedy));
   out += "</table>\n";
-  if (!s.retry.empty()) out += "<p>Once mended, the same command again converts them; nothing mended, but to be tried: <code>" + html(s.retry) + "</code></p>\n";
+  if (!s.retry.empty())
+    out += "<p>Once mended, the same command again converts them; nothing mended, but to be tried: <code>" +
+           html(s.retry) + "</code></p>\n";
   return out;
 }
 
@@ -79,19 +84,22 @@ template <class Value, class Shown>
 std::string list_html(std::string const& title, std::string const& left, std::string const& right,
                       std::vector<std::pair<std::string, Value>> const& list, Shown const& show) {
   if (list.empty()) return "";
-  std::string out = fmt::format("<h2>{}</h2>\n<table><tr><th>{}</th><th class=\"number\">{}</th></tr>\n", title, left, right);
+  std::string out =
+      fmt::format("<h2>{}</h2>\n<table><tr><th>{}</th><th class=\"number\">{}</th></tr>\n", title, left, right);
   for (auto const& [name, value] : list) out += table_row({name, show(value)}, true);
   return out + "</table>\n";
 }
 
 std::string models_html(std::vector<ModelRow> const& rows) {
-  std::string out = "<h2>All models</h2>\n<table><tr><th>Model</th><th></th><th class=\"number\">Bytes</th><th>To know</th></tr>\n";
+  std::string out =
+      "<h2>All models</h2>\n<table><tr><th>Model</th><th></th><th class=\"number\">Bytes</th><th>To know</th></tr>\n";
   for (ModelRow const& row : rows) {
     std::string notes;
     for (std::string const& note : row.notes) notes += (notes.empty() ? "" : "<br>") + html(note);
-    std::string const name = row.thumb.empty() ? html(row.input) : "<a href=\"" + html(row.thumb) + "\">" + html(row.input) + "</a>";
-    out += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"quiet\">{}</td></tr>\n", name, html(row.status),
-                       row.status == "done" ? size(row.bytes.total) : "", notes);
+    std::string const name =
+        row.thumb.empty() ? html(row.input) : "<a href=\"" + html(row.thumb) + "\">" + html(row.input) + "</a>";
+    out += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"quiet\">{}</td></tr>\n", name,
+                       html(row.status), row.status == "done" ? size(row.bytes.total) : "", notes);
   }
   return out + "</table>\n";
 }
@@ -100,26 +108,33 @@ std::string models_html(std::vector<ModelRow> const& rows) {
 
 std::string summary_text(Summary const& s, std::string const& gallery) {
   std::string text = headline(s) + "\n";
-  if (s.done > 0)
-    text += fmt::format("{} each on average, {} on disk\n", size(s.bytes / s.done), size(s.disk));
+  if (s.done > 0) text += fmt::format("{} each on average, {} on disk\n", size(s.bytes / s.done), size(s.disk));
   if (!s.problems.empty()) text += fmt::format("{} problems, {} of them new:\n", s.problems.size(), new_problems(s));
   for (std::size_t i = 0; i < std::min(kShown, s.reasons.size()); ++i)
     text += fmt::format("  {} x {}\n", s.reasons[i].second, printable(s.reasons[i].first));
-  if (s.reasons.size() > kShown) text += fmt::format("  and {} other reasons, see report.html\n", s.reasons.size() - kShown);
+  if (s.reasons.size() > kShown)
+    text += fmt::format("  and {} other reasons, see report.html\n", s.reasons.size() - kShown);
   if (!s.retry.empty()) text += "try them again: " + printable(s.retry) + "\n";
   if (!s.orphans.empty())
-    text += fmt::format("{} folders in models/ belong to nothing in the archive; convert --prune removes them\n", s.orphans.size());
-  if (!s.guard.reason.empty()) text += "ended early: " + printable(s.guard.reason) + "; the same command goes on where it stopped\n";
+    text += fmt::format("{} folders in models/ belong to nothing in the archive; convert --prune removes them\n",
+                        s.orphans.size());
+  if (!s.guard.reason.empty())
+    text += "ended early: " + printable(s.guard.reason) + "; the same command goes on where it stopped\n";
   if (!s.stages.empty())
-    for (std::string const& line : {stages_words(s.stages), memory_words(s.guard.occupancy), cores_words(s.guard.occupancy)}) text += line + "\n";
+    for (std::string const& line :
+         {stages_words(s.stages), memory_words(s.guard.occupancy), cores_words(s.guard.occupancy)})
+      text += line + "\n";
   if (s.pending == 0) text += "look at it: vitrine serve " + printable(gallery) + "\n";
   return text;
 }
 
 std::string summary_html(Summary const& s, std::vector<ModelRow> const& rows) {
-  std::string out = "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                    "<link rel=\"icon\" href=\"data:,\">\n"
-                    "<title>Vitrine: report</title><style>" + std::string(kStyle) + "</style></head>\n<body>\n<h1>" + html(headline(s)) + "</h1>\n<p>";
+  std::string out =
+      "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n"
+      "<title>Vitrine: report</title><style>" +
+      std::string(kStyle) + "</style></head>\n<body>\n<h1>" + html(headline(s)) + "</h1>\n<p>";
   if (s.done > 0) out += fmt::format("{} each on average, {} on disk. ", size(s.bytes / s.done), size(s.disk));
   if (!s.problems.empty()) out += fmt::format("{} problems, {} of them new. ", s.problems.size(), new_problems(s));
   if (!s.guard.reason.empty()) out += "Ended early: " + html(s.guard.reason) + ". ";
@@ -128,8 +143,11 @@ std::string summary_html(Summary const& s, std::vector<ModelRow> const& rows) {
   out += problems_html(s);
   out += list_html("Slowest of this run", "Model", "Time", s.slowest, hours);
   out += stages_html(s.stages);
-  if (!s.stages.empty()) out += "<p>The run was " + html(cores_words(s.guard.occupancy)) + "; " + html(memory_words(s.guard.occupancy)) + ".</p>\n";
-  out += list_html("Repairs", "What was mended or dropped", "Count", s.repairs, [](std::uint64_t n) { return std::to_string(n); });
+  if (!s.stages.empty())
+    out += "<p>The run was " + html(cores_words(s.guard.occupancy)) + "; " + html(memory_words(s.guard.occupancy)) +
+           ".</p>\n";
+  out += list_html("Repairs", "What was mended or dropped", "Count", s.repairs,
+                   [](std::uint64_t n) { return std::to_string(n); });
   return out + models_html(rows) + "</body>\n</html>\n";
 }
 

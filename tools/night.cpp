@@ -34,14 +34,16 @@ std::map<std::string, Record> everything(fs::path const& gallery) {
   for (fs::directory_iterator it(gallery / "models", error), end; !error && it != end; it.increment(error)) {
     std::string const slug = it->path().filename();
     if (records.contains(slug)) continue;
-    if (std::optional<Record> record = graph::record_of_certificate(gallery, slug)) records.emplace(slug, std::move(*record));
+    if (std::optional<Record> record = graph::record_of_certificate(gallery, slug))
+      records.emplace(slug, std::move(*record));
   }
   return records;
 }
 
 void print_problem(Record const& record) {
   graph::Failure const& failure = record.row.failure;
-  fmt::print("{}: {}: {}: {}\n", printable(record.row.input), record.row.status, printable(failure.stage), printable(failure.reason));
+  fmt::print("{}: {}: {}: {}\n", printable(record.row.input), record.row.status, printable(failure.stage),
+             printable(failure.reason));
 }
 
 /// A line of status.json, "" where it cannot be read.
@@ -49,12 +51,14 @@ std::string run_line(fs::path const& gallery, bool running) {
   std::ifstream file(gallery / ".vitrine/status.json");
   nlohmann::json const status = nlohmann::json::parse(file, nullptr, false);
   if (!status.is_object()) return "";
-  std::string const state = status.value("state", ""), started = status.value("started", ""), updated = status.value("updated", "");
+  std::string const state = status.value("state", ""), started = status.value("started", ""),
+                    updated = status.value("updated", "");
   if (!running && state == "running")
     return fmt::format("died: run the same command again; started {}, last heard of {}\n", started, updated);
-  std::string text = fmt::format("{}; started {}, updated {}; {} of {} models through, {} of them in this run, {} problems\n",
-                                 running ? "running" : state, started, updated, status.value("settled", 0), status.value("models", 0),
-                                 status.value("converted", 0), status.value("failed", 0));
+  std::string text =
+      fmt::format("{}; started {}, updated {}; {} of {} models through, {} of them in this run, {} problems\n",
+                  running ? "running" : state, started, updated, status.value("settled", 0), status.value("models", 0),
+                  status.value("converted", 0), status.value("failed", 0));
   if (running)
     for (auto const& model : status.value("underWay", nlohmann::json::array()))
       text += fmt::format("  {}: {}\n", model.value("model", ""), model.value("stage", ""));
@@ -94,7 +98,8 @@ int why(fs::path const& gallery, std::string const& model) {
   }
   if (found.size() != 1) {
     fmt::print(stderr, "error: {} models of this gallery have \"{}\" in their path\n", found.size(), printable(model));
-    for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 10); ++i) fmt::print(stderr, "  {}\n", printable(found[i]->row.input));
+    for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 10); ++i)
+      fmt::print(stderr, "  {}\n", printable(found[i]->row.input));
     return kUsage;
   }
   Record const& record = *found.front();
@@ -118,7 +123,9 @@ int retry(fs::path const& gallery, bool quarantined) {
   Remembered const command = remembered_command(gallery);
   std::vector<std::string> arguments = command.arguments;
   auto const verb = std::find(arguments.begin(), arguments.end(), "convert");
-  if (verb == arguments.end()) throw Error(ErrorKind::invalid_input, "the remembered command is none of convert", "run vitrine convert, as at first");
+  if (verb == arguments.end())
+    throw Error(ErrorKind::invalid_input, "the remembered command is none of convert",
+                "run vitrine convert, as at first");
   std::string const what = quarantined ? "quarantined" : "failed";
   arguments.insert(verb + 1, {"--retry", what});
   fs::current_path(command.folder);

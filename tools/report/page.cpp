@@ -45,25 +45,30 @@ std::string section(Table const& table) {
 }
 
 std::string section(Svg const& chart, std::string const& file) {
-  return fmt::format("<figure><figcaption><strong>{}</strong> &middot; {}</figcaption><div class=\"scroll\">{}</div></figure>\n",
-                     html(chart.title()), file_link(file, "SVG"), chart.fragment());
+  return fmt::format(
+      "<figure><figcaption><strong>{}</strong> &middot; {}</figcaption><div class=\"scroll\">{}</div></figure>\n",
+      html(chart.title()), file_link(file, "SVG"), chart.fragment());
 }
 
 std::string picture(Picture const& p, std::string const& alternative) {
-  return fmt::format("<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
-                     html(p.file), html(alternative), p.width, p.height, html(p.caption));
+  return fmt::format(
+      "<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
+      "loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
+      html(p.file), html(alternative), p.width, p.height, html(p.caption));
 }
 
 std::string stages_section(Pictures const& pictures) {
   if (pictures.stages.empty()) return "";
-  std::string out = "<h2>From scan to thumbnail</h2>\n<p>Figure 1. The stages of <bdi>" + html(pictures.subject) + "</bdi>.</p>\n<div class=\"stages\">";
+  std::string out = "<h2>From scan to thumbnail</h2>\n<p>Figure 1. The stages of <bdi>" + html(pictures.subject) +
+                    "</bdi>.</p>\n<div class=\"stages\">";
   for (Picture const& p : pictures.stages) out += picture(p, pictures.subject + ": " + p.caption);
   return out + "</div>\n";
 }
 
 std::string model_section(Study const& study, Pictures const& pictures, std::size_t m) {
   Model const& model = study.gallery.models[m];
-  std::string out = fmt::format("<h3 id=\"{}\"><bdi>{}</bdi></h3>\n<div class=\"model\">", model.slug, html(model.title));
+  std::string out =
+      fmt::format("<h3 id=\"{}\"><bdi>{}</bdi></h3>\n<div class=\"model\">", model.slug, html(model.title));
   if (pictures.sides[m])
     out += picture(*pictures.sides[m], model.title + ": original, thumbnail and their squared difference side by side");
   Svg const chart = curves_of(study, m);
@@ -74,13 +79,16 @@ std::string intro(Study const& study) {
   Json const& measure = study.gallery.models.front().certificate.at("measure");
   std::string out = fmt::format(
       "<p>{} of this gallery, measured as in Limper et al. 2015, &ldquo;Evaluating 3D Thumbnails for Virtual Object "
-      "Galleries&rdquo;, section 4: {} {} views of {} x {} pixels, mean square error of R, G and B in [0, 1] over all pixels, times "
+      "Galleries&rdquo;, section 4: {} {} views of {} x {} pixels, mean square error of R, G and B in [0, 1] over all "
+      "pixels, times "
       "10<sup>4</sup>. KB are 1000 bytes.</p>\n",
       study.gallery.models.size() == 1 ? "One model" : fmt::format("{} models", study.gallery.models.size()),
-      measure.at("views").get<int>(), html(measure.at("set").get<std::string>()), measure.at("size").get<int>(), measure.at("size").get<int>());
+      measure.at("views").get<int>(), html(measure.at("set").get<std::string>()), measure.at("size").get<int>(),
+      measure.at("size").get<int>());
   if (study.gallery.left_out.empty()) return out;
   out += "<p>Left out, because not measured:";
-  for (std::string const& input : study.gallery.left_out) out += " <bdi>" + html(input) + "</bdi>" + (&input == &study.gallery.left_out.back() ? "." : ",");
+  for (std::string const& input : study.gallery.left_out)
+    out += " <bdi>" + html(input) + "</bdi>" + (&input == &study.gallery.left_out.back() ? "." : ",");
   return out + "</p>\n";
 }
 
@@ -91,27 +99,35 @@ std::string findings_section(Study const& study) {
 }
 
 std::string made_with(Study const& study) {
-  std::string out = "<h2>How these were made</h2>\n<p>&ldquo;This gallery&rdquo; is what <code>vitrine convert</code> wrote, with the options in "
-                    "<a href=\"report.json\">report.json</a>. For the rest <code>vitrine report</code> converted the same originals again:</p>\n<ul>\n";
+  std::string out =
+      "<h2>How these were made</h2>\n<p>&ldquo;This gallery&rdquo; is what <code>vitrine convert</code> wrote, with "
+      "the options in "
+      "<a href=\"report.json\">report.json</a>. For the rest <code>vitrine report</code> converted the same originals "
+      "again:</p>\n<ul>\n";
   for (Trial const& trial : study.trials) {
     Setting const& setting = trial.setting;
-    out += setting.paper ? fmt::format("<li>the paper&#39;s choices: {} triangles at most, textures of {} texels a side</li>\n",
-                                       setting.options.simplify.triangles, setting.size)
-                         : fmt::format("<li>Vitrine&#39;s search for the best file of at most {} KB</li>\n", setting.size);
+    out += setting.paper
+               ? fmt::format("<li>the paper&#39;s choices: {} triangles at most, textures of {} texels a side</li>\n",
+                             setting.options.simplify.triangles, setting.size)
+               : fmt::format("<li>Vitrine&#39;s search for the best file of at most {} KB</li>\n", setting.size);
   }
-  return out + "</ul>\n<p>The paper&#39;s choices are those of <code>--preset paper</code>; their bytes are those of the zip for X3DOM, as "
-               "the paper counted. It gave models without colour grey ambient occlusion, so there both the thumbnail and its "
-               "original are drawn with it, and the error is not that of the same pictures as elsewhere on this page.</p>\n";
+  return out +
+         "</ul>\n<p>The paper&#39;s choices are those of <code>--preset paper</code>; their bytes are those of the zip "
+         "for X3DOM, as "
+         "the paper counted. It gave models without colour grey ambient occlusion, so there both the thumbnail and its "
+         "original are drawn with it, and the error is not that of the same pictures as elsewhere on this page.</p>\n";
 }
 
 /// The charts that are about all models.
 struct Charts {
-  explicit Charts(Study const& study) : bars(figure4(study)), bars_by_texture(figure4_by_texture(study)), curves(curves_of_all(study)) {}
+  explicit Charts(Study const& study)
+      : bars(figure4(study)), bars_by_texture(figure4_by_texture(study)), curves(curves_of_all(study)) {}
   Svg bars, bars_by_texture, curves;
 };
 
 void publish_tables(Study const& study, std::filesystem::path const& folder) {
-  std::vector<Table> tables{table1(study), table2(study), table3(study), table4(study), verdicts(study), page_table(study.gallery)};
+  std::vector<Table> tables{table1(study), table2(study),   table3(study),
+                            table4(study), verdicts(study), page_table(study.gallery)};
   if (Table waited = wait_table(study.gallery); !waited.rows.empty()) tables.push_back(std::move(waited));
   if (!study.ablation.empty()) tables.push_back(ablation(study));
   for (Table const& table : tables) {
@@ -130,20 +146,23 @@ void publish_charts(Study const& study, Charts const& charts, std::filesystem::p
 
 std::string head() {
   return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width,initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n<title>3D thumbnails against image series</title>\n<style>" +
+         "content=\"width=device-width,initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n<title>3D thumbnails "
+         "against image series</title>\n<style>" +
          std::string(chart_style()) + std::string(kStyle) + "</style></head>\n";
 }
 
 std::string body(Study const& study, Charts const& charts, Pictures const& pictures) {
-  std::string out = "<body><main>\n<h1>3D thumbnails against image series</h1>\n" + intro(study) + findings_section(study) +
-                    section(verdicts(study)) + stages_section(pictures);
+  std::string out = "<body><main>\n<h1>3D thumbnails against image series</h1>\n" + intro(study) +
+                    findings_section(study) + section(verdicts(study)) + stages_section(pictures);
   out += "<h2>Models and series</h2>\n" + section(table1(study)) + section(table2(study));
   out += "<h2>Bytes</h2>\n" + section(table3(study)) + section(charts.bars, "figure4.svg") +
          section(charts.bars_by_texture, "figure4-texture.svg");
   out += "<h2>Error</h2>\n" + section(table4(study)) + section(charts.curves, "curves.svg");
   if (Table const page = page_table(study.gallery); !page.rows.empty())
-    out += "<h2>What visitors load</h2>\n<p>Code is counted once, as by gzip; posters, which both have, are not. Times are those of the bytes alone.</p>\n" +
-           section(page);
+    out +=
+        "<h2>What visitors load</h2>\n<p>Code is counted once, as by gzip; posters, which both have, are not. Times "
+        "are those of the bytes alone.</p>\n" +
+        section(page);
   if (Table const waited = wait_table(study.gallery); !waited.rows.empty()) out += section(waited);
   if (!study.ablation.empty()) out += "<h2>The search</h2>\n" + section(ablation(study));
   out += "<h2>Model by model</h2>\n<p>Figure 5: original, thumbnail, and their squared difference times 8.</p>\n";

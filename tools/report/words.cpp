@@ -24,11 +24,15 @@ std::string models(std::size_t count) { return count == 1 ? "1 model" : fmt::for
 
 std::string say_verdict(Study const& study) {
   std::vector<Model> const& all = study.gallery.models;
-  auto const wins = [](Model const& m) { return verdict(m.thumbnail.bytes, m.thumbnail.mse1e4, m.thumbnail.series).thumbnail_wins; };
+  auto const wins = [](Model const& m) {
+    return verdict(m.thumbnail.bytes, m.thumbnail.mse1e4, m.thumbnail.series).thumbnail_wins;
+  };
   std::size_t const won = std::size_t(std::count_if(all.begin(), all.end(), wins));
   return fmt::format(
-      "At the same quality the 3D thumbnail takes fewer bytes than any image series for {} of {}. Same quality: the series' "
-      "turning error (the nearest decoded frame against the true view, over the whole turntable) is not above the thumbnail's error.",
+      "At the same quality the 3D thumbnail takes fewer bytes than any image series for {} of {}. Same quality: the "
+      "series' "
+      "turning error (the nearest decoded frame against the true view, over the whole turntable) is not above the "
+      "thumbnail's error.",
       won, models(all.size()));
 }
 
@@ -40,9 +44,10 @@ void say_bytes_alone(Study const& study, Sentences& out) {
     won += model.thumbnail.bytes < eight;
   }
   if (compared > 0)
-    out.push_back(fmt::format(
-        "By bytes alone, whatever the quality, the thumbnail is smaller than 8 views as WebP of quality 80 for {} of {}.", won,
-        models(compared)));
+    out.push_back(
+        fmt::format("By bytes alone, whatever the quality, the thumbnail is smaller than 8 views as WebP of quality 80 "
+                    "for {} of {}.",
+                    won, models(compared)));
 }
 
 // ---- Error by model and texture size
@@ -53,15 +58,19 @@ void say_variance(Study const& study, Sentences& out) {
   auto const plain = variance_shares(table);
   if (!plain) return;
   std::string text = fmt::format(
-      "With the paper's choices the model explains {:.1f} % of the variance of the error and the texture size {:.1f} %; {:.1f} % "
-      "are left to models that answer to the texture size in their own way (two-way analysis of variance, {}, {} texture sizes).",
+      "With the paper's choices the model explains {:.1f} % of the variance of the error and the texture size {:.1f} "
+      "%; {:.1f} % "
+      "are left to models that answer to the texture size in their own way (two-way analysis of variance, {}, {} "
+      "texture sizes).",
       100 * plain->rows, 100 * plain->columns, 100 * plain->rest, models(table.size()), table[0].size());
   bool positive = true;
   for (auto& row : table)
     for (double& value : row) positive = positive && value > 0, value = std::log(value);
   if (auto const relative = positive ? variance_shares(table) : std::nullopt)
-    text += fmt::format(" Of the error's logarithm, where one bad model does not outweigh all others, these are {:.1f}, {:.1f} and {:.1f} %.",
-                        100 * relative->rows, 100 * relative->columns, 100 * relative->rest);
+    text += fmt::format(
+        " Of the error's logarithm, where one bad model does not outweigh all others, these are {:.1f}, {:.1f} and "
+        "{:.1f} %.",
+        100 * relative->rows, 100 * relative->columns, 100 * relative->rest);
   out.push_back(std::move(text));
 }
 
@@ -76,8 +85,9 @@ void say_exceptions(Study const& study, Sentences& out) {
   }
   std::string text = "The error falls with each larger texture, but for:";
   for (Rise const& rise : found)
-    text += fmt::format("{} {} from {} to {} texels ({:.2f} to {:.2f})", &rise == &found[0] ? "" : ";", study.gallery.models[rise.row].title,
-                        trials[rise.column - 1]->setting.size, trials[rise.column]->setting.size, *values[rise.row][rise.column - 1],
+    text += fmt::format("{} {} from {} to {} texels ({:.2f} to {:.2f})", &rise == &found[0] ? "" : ";",
+                        study.gallery.models[rise.row].title, trials[rise.column - 1]->setting.size,
+                        trials[rise.column]->setting.size, *values[rise.row][rise.column - 1],
                         *values[rise.row][rise.column]);
   out.push_back(text + ".");
 }
@@ -100,16 +110,16 @@ void say_normal_maps(Study const& study, Sentences& out) {
     for (auto const& thumbnail : trial->thumbnails)
       if (thumbnail && thumbnail->normal > 0) shares.push_back(normal_share(*thumbnail));
     if (!shares.empty())
-      text += fmt::format("{}{} at {} texels", text.empty() ? "" : ", ", shares_text(shares, text.empty() ? " of the bytes" : ""),
-                          trial->setting.size);
+      text += fmt::format("{}{} at {} texels", text.empty() ? "" : ", ",
+                          shares_text(shares, text.empty() ? " of the bytes" : ""), trial->setting.size);
   }
   if (!text.empty()) out.push_back("With the paper's choices the normal map takes on average " + text + ".");
   std::vector<double> shares;
   for (Model const& model : study.gallery.models)
     if (model.thumbnail.normal > 0) shares.push_back(normal_share(model.thumbnail));
   if (!shares.empty())
-    out.push_back(fmt::format("In this gallery's thumbnails, where there is a normal map ({}), it takes on average {}.", models(shares.size()),
-                              shares_text(shares, " of the bytes")));
+    out.push_back(fmt::format("In this gallery's thumbnails, where there is a normal map ({}), it takes on average {}.",
+                              models(shares.size()), shares_text(shares, " of the bytes")));
 }
 
 void say_coverage(Study const& study, Sentences& out) {
@@ -119,7 +129,8 @@ void say_coverage(Study const& study, Sentences& out) {
     for (Model const& model : study.gallery.models)
       if (std::size_t const size = series_bytes(model.thumbnail, codec, 8))
         coverage.push_back(model.thumbnail.coverage), bytes.push_back(double(size));
-    if (auto const r = correlation(coverage, bytes)) text += fmt::format("{}{:.2f} as {}", text.empty() ? "" : ", ", *r, codec_name(codec));
+    if (auto const r = correlation(coverage, bytes))
+      text += fmt::format("{}{:.2f} as {}", text.empty() ? "" : ", ", *r, codec_name(codec));
   }
   if (!text.empty())
     out.push_back("Screen coverage and bytes of a series of 8 views go together with a correlation of " + text + ".");
