@@ -47,11 +47,14 @@ bool Study::advance() {
   return true;
 }
 
-/// Where the quality of the recipe's map is looked for first; 0 where no map in its coding was made yet.
+/// Where the quality of the recipe's map is looked for first, by the last map in its coding, or else in another; 0 where there
+/// is none.
 int Study::first_quality() const {
-  for (std::size_t i = history_.size(); i-- > 0;)
-    if (history_[i].map_quality > 0 && history_[i].recipe.avif == recipe_.avif) return likely_quality(recipe_, history_[i]);
-  return 0;
+  Trial const* like = nullptr;
+  for (Trial const& trial : history_)
+    if (trial.map_quality > 0 && (!like || trial.recipe.avif == recipe_.avif || like->recipe.avif != recipe_.avif))
+      like = &trial;
+  return like ? likely_quality(recipe_, *like) : 0;
 }
 
 bool Study::wants_atlas() const { return !searches(options_) || recipe_.painting == Painting::map; }

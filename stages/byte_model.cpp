@@ -25,6 +25,11 @@ double expected_map_bytes(Recipe const& recipe) {
   return recipe.texture * double(recipe.texture) * expected_bytes_per_texel(recipe.map_quality);
 }
 
+/// In AVIF of what takes as many bytes in WebP, or the other way about: as it was for atlases of scans.
+int other_quality(int quality, bool avif) {
+  return avif ? std::max(quality, 24 + quality / 2) : std::min(quality, std::max(0, 2 * (quality - 24)));
+}
+
 }  // namespace
 
 double expected_bytes_per_texel(int map_quality) { return (kBitsAtNone + kBitsPerQuality * map_quality) / 8; }
@@ -34,7 +39,8 @@ int likely_quality(Recipe const& recipe, Trial const& like) {
   double const room = std::max(1.0, recipe.ceiling - kHeaderBytes - geometry);
   double const texels = double(recipe.texture) / like.recipe.texture;
   double const more = room / double(std::max<std::size_t>(like.map_bytes, 1)) / (texels * texels);
-  double const bits = 8 * expected_bytes_per_texel(like.map_quality) * more;
+  int const quality = like.recipe.avif == recipe.avif ? like.map_quality : other_quality(like.map_quality, recipe.avif);
+  double const bits = 8 * expected_bytes_per_texel(quality) * (recipe.avif ? std::sqrt(more) : more);
   return int(std::clamp((bits - kBitsAtNone) / kBitsPerQuality, 5.0, 95.0));
 }
 
