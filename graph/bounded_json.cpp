@@ -6,7 +6,7 @@
 namespace vitrine::graph {
 namespace {
 
-using nlohmann::json;
+using json = StrictJson;
 
 constexpr int kDeepest = 64;
 
@@ -41,10 +41,10 @@ std::optional<json> bounded_cbor(std::string_view bytes) try {
   return {};
 }
 
-std::optional<nlohmann::ordered_json> bounded_json(std::string_view text) try {
+std::optional<StrictOrderedJson> bounded_json(std::string_view text) try {
   Depth depth;
   if (!json::sax_parse(text.begin(), text.end(), &depth)) return {};
-  return nlohmann::ordered_json::parse(text.begin(), text.end());
+  return StrictOrderedJson::parse(text.begin(), text.end());
 } catch (json::exception const&) {
   return {};
 }

@@ -3,7 +3,7 @@
 /// JSON from others: the library reads and copies nested values by recursion, so what is nested deeper than anything of ours
 /// could end this process.
 
-#include <nlohmann/json.hpp>
+#include "graph/strict_json.h"
 
 #include <optional>
 #include <string_view>
@@ -11,9 +11,9 @@
 namespace vitrine::graph {
 
 /// Of CBOR. Nothing when these bytes are not one value, or one that is nested deeper than 64 levels.
-std::optional<nlohmann::json> bounded_cbor(std::string_view bytes);
+std::optional<StrictJson> bounded_cbor(std::string_view bytes);
 
 /// Of text. Nothing likewise.
-std::optional<nlohmann::ordered_json> bounded_json(std::string_view text);
+std::optional<StrictOrderedJson> bounded_json(std::string_view text);
 
 }  // namespace vitrine::graph

@@ -3,11 +3,9 @@
 /// What the program vouches for, beside each thumbnail.
 
 #include "graph/options.h"
-#include "graph/report.h"
-
 #include "graph/record.h"
-
-#include <nlohmann/json_fwd.hpp>
+#include "graph/report.h"
+#include "graph/strict_json.h"
 
 #include <optional>
 #include <string>
@@ -28,7 +26,7 @@ std::string seal_of(nlohmann::ordered_json certificate);
 std::string certificate_text(ModelRow const& row, ModelOptions const& options);
 
 /// Of the certificate's member `series`. Throws nlohmann::json::exception.
-std::vector<SeriesSizes> read_series(nlohmann::ordered_json const& in);
+std::vector<SeriesSizes> read_series(StrictOrderedJson const& in);
 
 /// All that the reports say of a finished model, times and estimates apart, from its certificate's text. Nothing when the
 /// seal does not fit, or it is not one of this schema.

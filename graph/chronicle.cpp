@@ -16,7 +16,7 @@
 namespace vitrine::graph {
 namespace {
 
-using nlohmann::json;
+using json = StrictJson;
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kPeriod{5};

@@ -4,8 +4,7 @@
 
 #include "graph/night.h"
 #include "graph/progress.h"
-
-#include <nlohmann/json.hpp>
+#include "graph/strict_json.h"
 
 #include <chrono>
 #include <filesystem>
@@ -25,7 +24,7 @@ class Chronicle {
   /// Errors: std::filesystem::filesystem_error when the log cannot be opened.
   Chronicle(Night const& night, std::filesystem::path const& gallery, std::filesystem::path const& log, bool live);
 
-  void event(nlohmann::json const& message);  ///< as in wire.h
+  void event(StrictJson const& message);      ///< as in wire.h
   void say(std::string const& line);          ///< printable already
   void converting();                          ///< from here on there is progress
   void left(Record const& record);
@@ -35,7 +34,7 @@ class Chronicle {
 
  private:
   double cost_of(std::string const& slug) const;
-  nlohmann::json status(std::string const& state) const;
+  StrictJson status(std::string const& state) const;
   void write_status(std::string const& state);
 
   Night const& night_;

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/events.h"
 
-#include <nlohmann/json.hpp>
-
 namespace vitrine::graph {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Occupancy, seconds, available, computed, taken, memory, reading, writing, ending, within, disk_bytes,
-                                   peak, admitted, most_admitted, allowed)
+VITRINE_JSON_MEMBERS(Occupancy, seconds, available, computed, taken, memory, reading, writing, ending, within, disk_bytes, peak,
+                     admitted, most_admitted, allowed)
 
 namespace {
 
-using nlohmann::json;
+using json = StrictJson;
 
 json entry_json(io::ArchiveEntry const& e) {
   return {{"path", e.path},         {"file", e.file.native()}, {"bytes", e.bytes},

@@ -14,8 +14,6 @@
 #include "io/fault.h"
 #include "io/publish.h"
 
-#include <nlohmann/json.hpp>
-
 #include <poll.h>
 #include <unistd.h>
 
@@ -24,7 +22,7 @@
 namespace vitrine::graph {
 namespace {
 
-using nlohmann::json;
+using json = StrictJson;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 

@@ -5,8 +5,7 @@
 
 #include "graph/night.h"
 #include "graph/options.h"
-
-#include <nlohmann/json_fwd.hpp>
+#include "graph/strict_json.h"
 
 #include <chrono>
 #include <cstdint>
@@ -45,7 +44,7 @@ struct GuardReport {
 
 /// Is told of everything: for progress, logs and status files.
 struct GuardListener {
-  std::function<void(nlohmann::json const& message)> event;       ///< each message of the worker, and the guard's own
+  std::function<void(StrictJson const& message)> event;           ///< each message of the worker, and the guard's own
   std::function<void(std::string const& line)> say;               ///< for people
   std::function<void()> converting;                               ///< night.todo() is what will be converted
   std::function<void(Record const& record)> left;                 ///< a model is through, however

@@ -11,7 +11,7 @@ namespace {
 constexpr char const *kMtlKd = "mtl-kd", *kMultiply = "multiply", *kIgnore = "ignore";
 
 template <class T>
-T parsed(nlohmann::ordered_json const& json) {
+T parsed(StrictOrderedJson const& json) {
   if constexpr (std::is_enum_v<T>) {
     auto const& names = EnumNames<T>::names;
     auto const found = std::find(names.begin(), names.end(), json.get<std::string>());
@@ -37,7 +37,7 @@ nlohmann::ordered_json options_json(ModelOptions const& options) {
   return out;
 }
 
-ModelOptions options_from_json(nlohmann::ordered_json const& json) try {
+ModelOptions options_from_json(StrictOrderedJson const& json) try {
   ModelOptions options;
   if (json.value(kMtlKd, kIgnore) == std::string(kMultiply)) options.read.mtl_kd = io::MtlKd::multiply;
   option_groups(options, [&](std::string_view, auto& group) {

@@ -3,8 +3,7 @@
 /// Options as JSON, by flag.
 
 #include "graph/options.h"
-
-#include <nlohmann/json.hpp>
+#include "graph/strict_json.h"
 
 #include <string>
 #include <type_traits>
@@ -25,6 +24,6 @@ nlohmann::ordered_json options_json(ModelOptions const& options);
 
 /// What options_json wrote; keys that are missing keep their defaults, others are passed over.
 /// Errors: InvalidInput for a value that the option does not have.
-ModelOptions options_from_json(nlohmann::ordered_json const& json);
+ModelOptions options_from_json(StrictOrderedJson const& json);
 
 }  // namespace vitrine::graph

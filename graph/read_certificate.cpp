@@ -7,8 +7,6 @@
 #include "io/dependencies.h"
 #include "stages/error.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,7 +14,7 @@
 namespace vitrine::graph {
 namespace {
 
-using json = nlohmann::ordered_json;
+using json = StrictOrderedJson;
 
 /// An enum's value by the name that shown() gives it.
 template <class Enum>
@@ -163,7 +161,7 @@ std::optional<Record> record_from_certificate(std::string const& text, std::stri
   row.files["models/" + slug + "/certificate.json"] = io::content_hash(text);
   name_files(row);
   return record;
-} catch (nlohmann::json::exception const&) {
+} catch (json::exception const&) {
   return {};
 } catch (Error const&) {
   return {};

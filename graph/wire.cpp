@@ -27,15 +27,15 @@ bool write_whole(int pipe, std::string_view bytes) {
 
 }  // namespace
 
-bool send(int pipe, nlohmann::json const& value) {
+bool send(int pipe, StrictJson const& value) {
   std::string bytes(sizeof(Length), '\0');
-  nlohmann::json::to_cbor(value, bytes);
+  StrictJson::to_cbor(value, bytes);
   Length const length = Length(bytes.size() - sizeof(Length));
   std::memcpy(bytes.data(), &length, sizeof length);
   return length <= kLongest && write_whole(pipe, bytes);
 }
 
-bool Inbox::read(std::function<void(nlohmann::json const&)> const& take) {
+bool Inbox::read(std::function<void(StrictJson const&)> const& take) {
   char piece[1 << 16];
   ssize_t const count = ::read(pipe_, piece, sizeof piece);
   if (count < 0) return errno == EINTR || errno == EAGAIN;
@@ -44,14 +44,14 @@ bool Inbox::read(std::function<void(nlohmann::json const&)> const& take) {
   return hand_on(take);
 }
 
-bool Inbox::hand_on(std::function<void(nlohmann::json const&)> const& take) {
+bool Inbox::hand_on(std::function<void(StrictJson const&)> const& take) {
   std::size_t begin = 0;
   Length length = 0;
   while (bytes_.size() - begin >= sizeof length) {
     std::memcpy(&length, bytes_.data() + begin, sizeof length);
     if (length > kLongest) return false;
     if (bytes_.size() - begin - sizeof length < length) break;
-    std::optional<nlohmann::json> const json = bounded_cbor({bytes_.data() + begin + sizeof length, length});
+    std::optional<StrictJson> const json = bounded_cbor({bytes_.data() + begin + sizeof length, length});
     if (!json) return false;
     take(*json);
     begin += sizeof length + length;

@@ -8,8 +8,6 @@
 #include "io/fault.h"
 #include "stages/error.h"
 
-#include <nlohmann/json.hpp>
-
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -23,7 +21,7 @@
 namespace vitrine::graph {
 namespace {
 
-using nlohmann::json;
+using json = StrictJson;
 namespace fs = std::filesystem;
 
 constexpr int kGuardIsGone = 70;

@@ -2,9 +2,8 @@
 #pragma once
 /// The process in which models are opened: takes one order from the guard, and tells it of every step. It may die at any time.
 
+#include "graph/strict_json.h"
 #include "graph/work.h"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <set>
 #include <string>
@@ -21,8 +20,8 @@ struct Order {
   std::uint64_t memory = 0;  ///< bytes for models
   bool alone = false;        ///< one model at a time
 };
-nlohmann::json to_json(Order const& order);
-Order order_from(nlohmann::json const& json);
+StrictJson to_json(Order const& order);
+Order order_from(StrictJson const& json);
 
 /// Does the work that the guard orders over kOrders, and reports over kEvents. Does not return before all is said; ends the
 /// process when the guard is gone.

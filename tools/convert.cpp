@@ -65,7 +65,7 @@ graph::GuardOptions guard_options(ConvertCommand const& command, io::Lock const&
 graph::GuardReport watch_over(graph::Night& night, ConvertCommand const& command, io::Lock const& lock) {
   graph::Chronicle chronicle(night, command.run.gallery, command.log, isatty(STDERR_FILENO));
   graph::GuardListener listener;
-  listener.event = [&](nlohmann::json const& message) { chronicle.event(message); };
+  listener.event = [&](graph::StrictJson const& message) { chronicle.event(message); };
   listener.say = [&](std::string const& line) { chronicle.say(printable(line)); };
   listener.converting = [&] { chronicle.converting(); };
   listener.left = [&](graph::Record const& record) {

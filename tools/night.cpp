@@ -49,7 +49,7 @@ void print_problem(Record const& record) {
 /// A line of status.json, "" where it cannot be read.
 std::string run_line(fs::path const& gallery, bool running) {
   std::ifstream file(gallery / ".vitrine/status.json");
-  nlohmann::json const status = nlohmann::json::parse(file, nullptr, false);
+  graph::StrictJson const status = graph::StrictJson::parse(file, nullptr, false);
   if (!status.is_object()) return "";
   std::string const state = status.value("state", ""), started = status.value("started", ""),
                     updated = status.value("updated", "");
@@ -60,7 +60,7 @@ std::string run_line(fs::path const& gallery, bool running) {
                   running ? "running" : state, started, updated, status.value("settled", 0), status.value("models", 0),
                   status.value("converted", 0), status.value("failed", 0));
   if (running)
-    for (auto const& model : status.value("underWay", nlohmann::json::array()))
+    for (auto const& model : status.value("underWay", graph::StrictJson::array()))
       text += fmt::format("  {}: {}\n", model.value("model", ""), model.value("stage", ""));
   return text;
 }

@@ -21,7 +21,7 @@ void read(std::string const& text) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   std::string const text(reinterpret_cast<char const*>(data), size);
   read(text);
-  std::optional<nlohmann::ordered_json> certificate = vitrine::graph::bounded_json(text);
+  std::optional<vitrine::graph::StrictOrderedJson> certificate = vitrine::graph::bounded_json(text);
   if (!certificate || !certificate->is_object()) return 0;
   (*certificate)["seal"] = vitrine::graph::seal_of(*certificate);
   read(vitrine::graph::to_text(*certificate));

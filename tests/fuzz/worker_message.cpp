@@ -43,6 +43,6 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   fuzz::require(::write(pipe[1], &length, sizeof length) == sizeof length);
   fuzz::require(::write(pipe[1], data, size) == ssize_t(size));
   static graph::WorkEvents const events = hearing();
-  graph::Inbox(pipe[0]).read([](nlohmann::json const& message) { graph::deliver(message, events); });
+  graph::Inbox(pipe[0]).read([](graph::StrictJson const& message) { graph::deliver(message, events); });
   return 0;
 }

@@ -77,5 +77,19 @@ TEST(Record, NamesNoChoiceThatThereIsNot) {
   }
 }
 
+TEST(Record, TakesNoNumberForACountThatIsNone) {
+  nlohmann::json record = nlohmann::json::from_cbor(to_bytes({finished(), "settings", {}, 0, ""}));
+  auto certificate = nlohmann::ordered_json::parse(certificate_text(finished(), {}));
+  for (nlohmann::json const& count : {nlohmann::json(1.5), nlohmann::json(1e51), nlohmann::json(-1), nlohmann::json(1ll << 32)}) {
+    record["row"]["triangles"] = count;
+    std::string bytes;
+    nlohmann::json::to_cbor(record, bytes);
+    EXPECT_FALSE(record_from(bytes)) << count;
+    certificate["mesh"]["triangles"] = count;
+    certificate["seal"] = seal_of(certificate);
+    EXPECT_FALSE(record_from_certificate(to_text(certificate), "hall-vase-0123")) << count;
+  }
+}
+
 }  // namespace
 }  // namespace vitrine::graph

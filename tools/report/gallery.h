@@ -2,9 +2,8 @@
 #pragma once
 /// What a gallery says of its own models: report.json and the certificates, as values.
 
+#include "graph/strict_json.h"
 #include "stages/verdict.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +12,7 @@
 
 namespace vitrine::report {
 
-using Json = nlohmann::ordered_json;
+using Json = graph::StrictOrderedJson;
 
 /// One thumbnail as its certificate has it. Errors are MSE x 10^4.
 struct Thumbnail {

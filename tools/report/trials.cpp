@@ -26,8 +26,8 @@ fs::path trial_folder(Gallery const& gallery, Setting const& setting) {
 
 /// Whether a certificate is about this input, these options and this program.
 bool answers(Json const& certificate, Setting const& setting, Model const& model) {
-  return certificate.at("input") == model.certificate.at("input") && certificate.at("program") == graph::program_json() &&
-         certificate.at("options") == graph::options_json(setting.options);
+  return certificate.at("input") == model.certificate.at("input") && certificate.at("program") == Json(graph::program_json()) &&
+         certificate.at("options") == Json(graph::options_json(setting.options));
 }
 
 /// What there is already: the gallery's own thumbnail where it was made so, or what an earlier run left.
