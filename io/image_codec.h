@@ -20,7 +20,7 @@ struct ImageSize {
 /// From the header alone. Errors: InvalidInput when it is no image that can be read.
 ImageSize image_size(std::span<std::byte const> bytes);
 
-/// Any common format (JPEG, PNG, WebP, AVIF, TIFF, BMP, TGA, GIF …) to 8 bits, 1 to 4 channels; 16-bit and float images are converted.
+/// Any common format (JPEG, PNG, WebP, AVIF, TIFF, BMP without run lengths, TGA, GIF …) to 8 bits, 1 to 4 channels; 16-bit and float images are converted.
 /// Errors: InvalidInput for damaged or cut files; LimitExceeded when width x height exceeds limits.texels (checked before pixels are read).
 Image decode_image(std::span<std::byte const> bytes, ColourSpace space, ReadLimits const& limits = {});
 

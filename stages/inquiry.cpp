@@ -18,8 +18,7 @@ constexpr double kMiss = 0.12;         ///< relative: a trial this far from what
 constexpr double kSame = 0.02;         ///< relative: between numbers of triangles
 constexpr double kHopeless = 0.7;      ///< in the cost's logarithm
 constexpr double kMostMapShare = 0.8;  ///< of the bytes: a map that no quality makes smaller has too many texels
-constexpr double kExcessPower =
-    3;  ///< error rises so where a map is made to fit that not even the poorest quality does
+constexpr double kExcessPower = 3;     ///< with which error rises where a map that fits at no quality is made to fit
 constexpr int kSmallestFile = 1000;  ///< bytes
 constexpr int kLargestTexture = 8192;
 constexpr int kLandings = 9;  ///< trials that may be spent on meeting the limit
