@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// JSON from others: the library reads and copies nested values by recursion, so what is nested deeper than anything of ours
-/// could end this process.
+/// JSON from others: the library reads and copies nested values by recursion, so what is nested deeper than anything of
+/// ours could end this process.
 
 #include "graph/strict_json.h"
 

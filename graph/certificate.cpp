@@ -36,7 +36,8 @@ json trials_json(std::vector<Trial> const& trials) {
     if (std::isinf(trial.error))
       one["failed"] = true;
     else
-      one.update({{"bytes", trial.bytes}, {"mapBytes", trial.map_bytes}, {"mse1e4", trial.error}, {"score", trial.score}});
+      one.update(
+          {{"bytes", trial.bytes}, {"mapBytes", trial.map_bytes}, {"mse1e4", trial.error}, {"score", trial.score}});
     out.push_back(std::move(one));
   }
   return out;

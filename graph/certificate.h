@@ -28,8 +28,8 @@ std::string certificate_text(ModelRow const& row, ModelOptions const& options);
 /// Of the certificate's member `series`. Throws nlohmann::json::exception.
 std::vector<SeriesSizes> read_series(StrictOrderedJson const& in);
 
-/// All that the reports say of a finished model, times and estimates apart, from its certificate's text. Nothing when the
-/// seal does not fit, or it is not one of this schema.
+/// All that the reports say of a finished model, times and estimates apart, from its certificate's text. Nothing when
+/// the seal does not fit, or it is not one of this schema.
 std::optional<Record> record_from_certificate(std::string const& text, std::string const& slug);
 
 }  // namespace vitrine::graph

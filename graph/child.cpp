@@ -129,7 +129,8 @@ std::string describe_status(int status) {
   if (WIFSIGNALED(status)) {
     int const signal = WTERMSIG(status);
     char const* const name = sigabbrev_np(signal);
-    return std::string("killed by SIG") + (name ? name : std::to_string(signal).c_str()) + " (" + sigdescr_np(signal) + ")";
+    return std::string("killed by SIG") + (name ? name : std::to_string(signal).c_str()) + " (" + sigdescr_np(signal) +
+           ")";
   }
   return "left with exit code " + std::to_string(WEXITSTATUS(status)) + " in the middle of its work";
 }

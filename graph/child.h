@@ -17,7 +17,8 @@ constexpr char kWorkerVariable[] = "VITRINE_WORKER";
 
 class Child {
  public:
-  /// Starts /proc/self/exe with `arguments`. `lock` stays open in it, so that the lock outlives this process if need be.
+  /// Starts /proc/self/exe with `arguments`. `lock` stays open in it, so that the lock outlives this process if need
+  /// be.
   /// Errors: std::system_error.
   Child(std::vector<std::string> const& arguments, int lock);
   ~Child();  ///< kills what is still there

@@ -21,11 +21,15 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kPeriod{5};
 
-std::string text_of(json const& value, int indent) { return value.dump(indent, ' ', false, json::error_handler_t::replace); }
+std::string text_of(json const& value, int indent) {
+  return value.dump(indent, ' ', false, json::error_handler_t::replace);
+}
 
 }  // namespace
 
-std::string utc(std::int64_t milliseconds) { return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time_t(milliseconds / 1000))); }
+std::string utc(std::int64_t milliseconds) {
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time_t(milliseconds / 1000)));
+}
 
 Chronicle::Chronicle(Night const& night, fs::path const& gallery, fs::path const& log, bool live)
     : night_(night), gallery_(gallery), live_(live) {
@@ -72,8 +76,12 @@ void Chronicle::left(Record const& record) {
   stages_.erase(row.slug);
   if (progress_) progress_->finished(cost_of(row.slug), failed);
   if (!log_.is_open()) return;
-  json line = {{"time", utc(1000 * std::int64_t(std::time(nullptr)))}, {"event", row.status}, {"model", row.input}, {"bytes", row.bytes.total}};
-  if (failed) line.update({{"stage", row.failure.stage}, {"reason", row.failure.reason}, {"remedy", row.failure.remedy}});
+  json line = {{"time", utc(1000 * std::int64_t(std::time(nullptr)))},
+               {"event", row.status},
+               {"model", row.input},
+               {"bytes", row.bytes.total}};
+  if (failed)
+    line.update({{"stage", row.failure.stage}, {"reason", row.failure.reason}, {"remedy", row.failure.remedy}});
   log_ << text_of(line, -1) << std::endl;
 }
 
@@ -89,10 +97,12 @@ void Chronicle::end(std::string const& state) {
 
 json Chronicle::status(std::string const& state) const {
   auto const& records = night_.records();
-  auto const failed = std::count_if(records.begin(), records.end(), [](auto const& known) { return known.second.row.status != "done"; });
+  auto const failed = std::count_if(records.begin(), records.end(),
+                                    [](auto const& known) { return known.second.row.status != "done"; });
   json under_way = json::array();
   for (auto const& [slug, stage] : stages_)
-    if (io::ArchiveEntry const* const entry = night_.entry(slug)) under_way.push_back({{"model", entry->path}, {"stage", stage}});
+    if (io::ArchiveEntry const* const entry = night_.entry(slug))
+      under_way.push_back({{"model", entry->path}, {"stage", stage}});
   std::chrono::duration<double> const elapsed = std::chrono::steady_clock::now() - start_;
   return {{"schema", 1},
           {"state", state},

@@ -24,11 +24,11 @@ class Chronicle {
   /// Errors: std::filesystem::filesystem_error when the log cannot be opened.
   Chronicle(Night const& night, std::filesystem::path const& gallery, std::filesystem::path const& log, bool live);
 
-  void event(StrictJson const& message);      ///< as in wire.h
-  void say(std::string const& line);          ///< printable already
-  void converting();                          ///< from here on there is progress
+  void event(StrictJson const& message);  ///< as in wire.h
+  void say(std::string const& line);      ///< printable already
+  void converting();                      ///< from here on there is progress
   void left(Record const& record);
-  void tick();                                ///< writes status.json every few seconds
+  void tick();  ///< writes status.json every few seconds
   /// The last word; `state` as in status.json: "complete", "interrupted", …
   void end(std::string const& state);
 

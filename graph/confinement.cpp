@@ -28,8 +28,9 @@ void limit(int what, rlim_t value) {
 // ---- Landlock: what can be reached in the file system
 
 constexpr std::uint64_t kRead = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-constexpr std::uint64_t kWrite = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR | LANDLOCK_ACCESS_FS_REMOVE_FILE |
-                                 LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG;
+constexpr std::uint64_t kWrite = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
+                                 LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_DIR |
+                                 LANDLOCK_ACCESS_FS_MAKE_REG;
 /// All that version 1 of Landlock can forbid.
 constexpr std::uint64_t kAll = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;
 
@@ -64,7 +65,8 @@ class Ruleset {
 bool confine_files(fs::path const& archive, fs::path const& gallery, fs::path const& more) {
   Ruleset rules;
   for (char const* system : {"/usr", "/lib", "/lib64", "/etc", "/proc", "/sys"}) rules.allow(system, kRead);
-  for (char const* device : {"/dev/null", "/dev/zero", "/dev/random", "/dev/urandom"}) rules.allow(device, LANDLOCK_ACCESS_FS_READ_FILE);
+  for (char const* device : {"/dev/null", "/dev/zero", "/dev/random", "/dev/urandom"})
+    rules.allow(device, LANDLOCK_ACCESS_FS_READ_FILE);
   std::error_code error;
   rules.allow(fs::read_symlink("/proc/self/exe", error), LANDLOCK_ACCESS_FS_READ_FILE);
   rules.allow(archive, kRead);
@@ -75,11 +77,14 @@ bool confine_files(fs::path const& archive, fs::path const& gallery, fs::path co
 
 // ---- seccomp: what can be asked of the kernel
 
+// clang-format off
 constexpr char const* kForbidden[] = {
     "execve", "execveat", "fork", "vfork", "socket", "socketpair", "connect", "bind", "listen", "ptrace",
-    "process_vm_readv", "process_vm_writev", "mount", "umount2", "pivot_root", "chroot", "setns", "unshare", "init_module",
-    "finit_module", "delete_module", "kexec_load", "bpf", "perf_event_open", "userfaultfd", "keyctl", "add_key", "reboot",
-    "swapon", "swapoff", "symlink", "symlinkat", "link", "linkat", "mknod", "mknodat", "chmod", "fchmodat", "chown", "fchownat"};
+    "process_vm_readv", "process_vm_writev", "mount", "umount2", "pivot_root", "chroot", "setns", "unshare",
+    "init_module", "finit_module", "delete_module", "kexec_load", "bpf", "perf_event_open", "userfaultfd", "keyctl",
+    "add_key", "reboot", "swapon", "swapoff", "symlink", "symlinkat", "link", "linkat", "mknod", "mknodat", "chmod",
+    "fchmodat", "chown", "fchownat"};
+// clang-format on
 
 bool confine_calls() {
   std::unique_ptr<void, void (*)(scmp_filter_ctx)> const filter(seccomp_init(SCMP_ACT_ALLOW), seccomp_release);
@@ -89,7 +94,8 @@ bool confine_calls() {
       seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), call, 0);
   // Threads may be started, processes not. clone3 hides its flags from filters: the C library falls back to clone.
   seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
-  seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1, SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0));
+  seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
+                   SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0));
   return seccomp_load(filter.get()) == 0;
 }
 

@@ -15,7 +15,8 @@ struct Confinement {
 
 /// Confines this process for good; call it before any thread is started.
 /// - limits: no core files; writable memory up to twice `memory` and 2 GB, so that a huge allocation fails at once
-/// - Landlock: only the gallery can be written; only the archive, the gallery, the program and the system's own folders be read
+/// - Landlock: only the gallery can be written; only the archive, the gallery, the program and the system's own folders
+///   be read
 /// - seccomp: no process can be started, no socket opened, nothing traced, mounted or loaded
 /// `more`: another folder that can be written; empty: none.
 Confinement confine(std::filesystem::path const& archive, std::filesystem::path const& gallery, std::uint64_t memory,

@@ -34,7 +34,8 @@ Conviction convict(Death const& death, std::string const& stage, std::string con
 }
 
 Record record_of(Conviction const& conviction, io::ArchiveEntry const& entry, ModelOptions const& options) {
-  Record record{arriving(entry, options.cluster), settings_hash(options, title_of(entry), entry.up), {}, 0, conviction.evidence};
+  Record record{
+      arriving(entry, options.cluster), settings_hash(options, title_of(entry), entry.up), {}, 0, conviction.evidence};
   record.row.status = conviction.status;
   record.row.failure = conviction.failure;
   record.row.input_hash = io::file_hash(entry.file);

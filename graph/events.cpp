@@ -3,22 +3,33 @@
 
 namespace vitrine::graph {
 
-VITRINE_JSON_MEMBERS(Occupancy, seconds, available, computed, taken, memory, reading, writing, ending, within, disk_bytes, peak,
-                     admitted, most_admitted, allowed)
+VITRINE_JSON_MEMBERS(Occupancy, seconds, available, computed, taken, memory, reading, writing, ending, within,
+                     disk_bytes, peak, admitted, most_admitted, allowed)
 
 namespace {
 
 using json = StrictJson;
 
 json entry_json(io::ArchiveEntry const& e) {
-  return {{"path", e.path},         {"file", e.file.native()}, {"bytes", e.bytes},
-          {"slug", e.slug},         {"up", int(e.up)},         {"metadata", e.metadata},
-          {"triangles", e.estimate.triangles}, {"memory", e.estimate.memory}, {"thinned", e.estimate.thinned}};
+  return {{"path", e.path},
+          {"file", e.file.native()},
+          {"bytes", e.bytes},
+          {"slug", e.slug},
+          {"up", int(e.up)},
+          {"metadata", e.metadata},
+          {"triangles", e.estimate.triangles},
+          {"memory", e.estimate.memory},
+          {"thinned", e.estimate.thinned}};
 }
 
 io::ArchiveEntry entry_from(json const& in) {
-  return {in.at("path"), in.at("file").get<std::string>(), in.at("bytes"), in.at("slug"), io::UpAxis(in.at("up").get<int>()),
-          in.at("metadata"), {in.at("triangles"), in.at("memory"), in.at("thinned")}};
+  return {in.at("path"),
+          in.at("file").get<std::string>(),
+          in.at("bytes"),
+          in.at("slug"),
+          io::UpAxis(in.at("up").get<int>()),
+          in.at("metadata"),
+          {in.at("triangles"), in.at("memory"), in.at("thinned")}};
 }
 
 json archive_json(io::Archive const& archive) {

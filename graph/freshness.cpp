@@ -26,7 +26,8 @@ std::optional<fs::path> found_today(io::ArchiveEntry const& entry, std::string c
 /// Compares the files that a record was made from with today's; takes over stamps where the bytes are the same.
 class Inputs {
  public:
-  Inputs(io::ArchiveEntry const& entry, Record& record, bool verify) : entry_(entry), record_(record), verify_(verify) {}
+  Inputs(io::ArchiveEntry const& entry, Record& record, bool verify)
+      : entry_(entry), record_(record), verify_(verify) {}
 
   /// What has changed; "" if nothing.
   std::string changes() {
@@ -71,7 +72,8 @@ Stamps stamps_since(Clock::time_point moment, io::ArchiveEntry const& entry, io:
 }
 
 std::optional<Record> record_of_certificate(fs::path const& gallery, std::string const& slug) try {
-  return record_from_certificate(std::string(io::text(io::map_file(gallery / "models" / slug / "certificate.json"))), slug);
+  return record_from_certificate(std::string(io::text(io::map_file(gallery / "models" / slug / "certificate.json"))),
+                                 slug);
 } catch (Error const&) {
   return std::nullopt;
 } catch (fs::filesystem_error const&) {
@@ -99,8 +101,10 @@ Freshness freshness(io::ArchiveEntry const& entry, std::optional<Record> const& 
     return {false, "failed for a reason that lies in the machine", {}};
   if (record->settings != settings_hash(options, title_of(entry), entry.up))
     return {false, "the options, the title, the up axis or the program have changed", {}};
-  if (std::string const change = Inputs(entry, *record, how.verify).changes(); !change.empty()) return {false, change, {}};
-  if (std::vector<std::string> const bad = damage(row, gallery, how.verify); !bad.empty()) return {false, bad.front(), {}};
+  if (std::string const change = Inputs(entry, *record, how.verify).changes(); !change.empty())
+    return {false, change, {}};
+  if (std::vector<std::string> const bad = damage(row, gallery, how.verify); !bad.empty())
+    return {false, bad.front(), {}};
   refresh(row, entry, options.cluster);
   return {true, row.status == "done" ? "up to date" : "known: " + row.failure.reason, std::move(*record)};
 }

@@ -14,8 +14,8 @@ namespace vitrine::graph {
 
 struct Freshness {
   bool fresh = false;
-  std::string why;   ///< "up to date", or what has changed, for people
-  Record record;     ///< of a fresh one, with today's metadata and stamps
+  std::string why;  ///< "up to date", or what has changed, for people
+  Record record;    ///< of a fresh one, with today's metadata and stamps
 };
 
 struct FreshnessOptions {
@@ -28,7 +28,8 @@ Freshness freshness(io::ArchiveEntry const& entry, std::optional<Record> const& 
                     std::filesystem::path const& gallery, FreshnessOptions const& how);
 
 /// Stamps of the files that a row was made from, as far as they tell of bytes read after `moment`.
-Stamps stamps_since(std::chrono::system_clock::time_point moment, io::ArchiveEntry const& entry, io::Dependencies const& dependencies);
+Stamps stamps_since(std::chrono::system_clock::time_point moment, io::ArchiveEntry const& entry,
+                    io::Dependencies const& dependencies);
 
 /// The record that the folder's certificate holds; nothing where there is none or it is damaged.
 std::optional<Record> record_of_certificate(std::filesystem::path const& gallery, std::string const& slug);

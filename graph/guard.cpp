@@ -5,8 +5,8 @@
 #include "graph/child.h"
 #include "graph/death.h"
 #include "graph/events.h"
-#include "graph/last_lines.h"
 #include "graph/limits.h"
+#include "graph/listen.h"
 #include "graph/signals.h"
 #include "graph/suspects.h"
 #include "graph/wire.h"
@@ -14,7 +14,6 @@
 #include "io/fault.h"
 #include "io/publish.h"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -26,19 +25,22 @@ using json = StrictJson;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kTick = 200;                          ///< milliseconds
-constexpr std::chrono::milliseconds kWatch{100};    ///< between two looks at disk, clock and memory
-constexpr std::chrono::seconds kDying{2};           ///< a process may take from closing its files to being gone
-constexpr int kBarrenDeaths = 3;                    ///< workers that die before they open a model
-constexpr int kUnwritable = 5;                      ///< models that could not be published, until it must be the gallery
-constexpr std::uintmax_t kDiskReserve = 16'000'000; ///< bytes; below them no model is begun
+constexpr std::chrono::milliseconds kWatch{100};  ///< between two looks at disk, clock and memory
+constexpr std::chrono::seconds kDying{2};         ///< a process may take from closing its files to being gone
+constexpr int kBarrenDeaths = 3;                  ///< workers that die before they open a model
+constexpr int kUnwritable = 5;                    ///< models that could not be published, until it must be the gallery
+constexpr std::uintmax_t kDiskReserve = 16'000'000;  ///< bytes; below them no model is begun
 
 Sentence const kNonsense{"the worker spoke nonsense", "please report this model as a bug"};
+Sentence const kHungUp{"it closed the worker's line to the guard", "please report this model as a bug"};
 
 class Guard {
  public:
   Guard(Night& night, GuardOptions const& options, GuardListener const& listener)
-      : night_(night), options_(options), listener_(listener), limits_{options.memory ? options.memory : default_memory(), options.stall_limit} {
+      : night_(night),
+        options_(options),
+        listener_(listener),
+        limits_{options.memory ? options.memory : default_memory(), options.stall_limit} {
     hear();
   }
 
@@ -100,7 +102,8 @@ class Guard {
     if (event == "end") {
       through_ = true;
     } else if (event == "error") {
-      end(said.value("machine", false) ? Ending::machine : Ending::refused, said.value("what", "") + "; " + said.value("remedy", ""));
+      end(said.value("machine", false) ? Ending::machine : Ending::refused,
+          said.value("what", "") + "; " + said.value("remedy", ""));
     } else if (event == "confined") {
       report_.confinement = said.value("level", "");
       report_.missing = said.value("missing", "");
@@ -156,13 +159,14 @@ class Guard {
     io::fault("guard:spawned");
     send(child.orders(), to_json(order()));
     if (stopping_) send(child.orders(), {{"order", "stop"}});
-    int const status = listen(child);
+    int const status = listen(child, signals_.descriptor(), lines_, ears(child));
     child_ = nullptr;
     io::fault("guard:buried");
     if (!through_ && !ended_) return autopsy(status);
     if (stopping_) ended_ = true;
     if (alone_)
-      for (std::string const& slug : std::set<std::string>(suspects_.all())) suspects_.clear(slug);  // gone from the archive
+      for (std::string const& slug : std::set<std::string>(suspects_.all()))
+        suspects_.clear(slug);  // gone from the archive
     else
       passed_ = true;
   }
@@ -174,28 +178,17 @@ class Guard {
     return order;
   }
 
-  /// Until it is dead and all it said is heard.
-  int listen(Child& child) {
-    Inbox inbox(child.events());
-    auto const take = [this](json const& said) { message(said); };
-    bool open = true;
-    Clock::time_point closed{};
-    for (;;) {
-      std::optional<int> const status = child.status();
-      pollfd fds[] = {{child.events(), short(open ? POLLIN : 0), 0}, {child.log(), POLLIN, 0}, {signals_.descriptor(), POLLIN, 0}};
-      if (!open) fds[0].fd = -1;
-      if (log_closed_) fds[1].fd = -1;
-      ::poll(fds, 3, status ? 0 : kTick);
-      if (fds[0].revents && !(open = inbox.read(take))) closed = Clock::now();
-      if (fds[1].revents) log_closed_ = !lines_.read(child.log(), [this](std::string const& line) { listener_.event({{"event", "log"}, {"line", line}}); });
-      if (fds[2].revents) signalled();
-      if (status && !(open && fds[0].revents) && !fds[1].revents) break;
-      if (!open && !through_ && !status && Clock::now() - closed > kDying) condemn({"it closed the worker's line to the guard", "please report this model as a bug"});
-      watch(child);
-      listener_.tick();
-    }
-    log_closed_ = false;
-    return *child.status();
+  Ears ears(Child& child) {
+    return {[this](json const& said) { message(said); },
+            [this](std::string const& line) {
+              listener_.event({{"event", "log"}, {"line", line}});
+            },
+            [this] { signalled(); },
+            [this, &child](Clock::duration deaf) {
+              if (deaf > kDying && !through_) condemn(kHungUp);
+              watch(child);
+              listener_.tick();
+            }};
   }
 
   /// What the guard looks at between messages.
@@ -209,7 +202,8 @@ class Guard {
     if (fs::space_info const space = fs::space(options_.gallery, error); !error && space.available < kDiskReserve)
       stop(Ending::disk, "less than 16 MB are left on the gallery's disk");
     if (condemned_) return;
-    std::optional<Sentence> sentence = limits_.hangs(in_flight_, now, [this](std::string const& slug) { return night_.entry(slug); });
+    std::optional<Sentence> sentence =
+        limits_.hangs(in_flight_, now, [this](std::string const& slug) { return night_.entry(slug); });
     if (!sentence && in_flight_.empty() && !through_) sentence = silent(now - silent_since_);
     if (!sentence) sentence = limits_.swells(child.memory());
     if (sentence) condemn(*sentence);
@@ -264,7 +258,8 @@ class Guard {
       Conviction const& found = convicts_[*culprit] = convict(death, in_flight_[*culprit].stage, lines_.text());
       return enter(*culprit, found);
     }
-    listener_.say("the worker died (" + death.how() + ") with " + std::to_string(victims.size()) + " models under way; trying them one at a time");
+    listener_.say("the worker died (" + death.how() + ") with " + std::to_string(victims.size()) +
+                  " models under way; trying them one at a time");
   }
 
   void enter(std::string const& slug, Conviction const& found) {
@@ -286,7 +281,7 @@ class Guard {
   Suspects suspects_;
   std::map<std::string, Conviction> convicts_;
   int barren_ = 0, unwritable_ = 0;
-  bool alone_ = false, announced_ = false, through_ = false, passed_ = false, stopping_ = false, ended_ = false, log_closed_ = false;
+  bool alone_ = false, announced_ = false, through_ = false, passed_ = false, stopping_ = false, ended_ = false;
 };
 
 }  // namespace

@@ -11,8 +11,9 @@ constexpr std::uint64_t kGrace = 256u << 20;  ///< bytes
 
 double stall_limit(io::ArchiveEntry const& entry) { return 300 + double(entry.estimate.triangles) / 5000; }
 
-std::optional<Sentence> Limits::hangs(Flight const& in_flight, std::chrono::steady_clock::time_point now,
-                                      std::function<io::ArchiveEntry const*(std::string const& slug)> const& entry) const {
+std::optional<Sentence> Limits::hangs(
+    Flight const& in_flight, std::chrono::steady_clock::time_point now,
+    std::function<io::ArchiveEntry const*(std::string const& slug)> const& entry) const {
   for (auto const& [slug, step] : in_flight) {
     io::ArchiveEntry const* const known = entry(slug);
     double const limit = stall > 0 ? stall : known ? stall_limit(*known) : stall_limit({});
@@ -25,7 +26,8 @@ std::optional<Sentence> Limits::hangs(Flight const& in_flight, std::chrono::stea
 
 std::optional<Sentence> Limits::swells(std::uint64_t used) const {
   if (used <= memory + memory / 4 + kGrace) return std::nullopt;
-  return Sentence{"used up the memory: " + std::to_string(used / 1'000'000) + " MB, and --memory allows " + std::to_string(memory / 1'000'000),
+  return Sentence{"used up the memory: " + std::to_string(used / 1'000'000) + " MB, and --memory allows " +
+                      std::to_string(memory / 1'000'000),
                   "run again with more --memory"};
 }
 

@@ -48,7 +48,7 @@ struct Job {
   std::uint64_t memory = 0;  ///< bytes that it was admitted with
   std::size_t number = 0;    ///< in the archive
   Meter* meter = nullptr;
-  Trace* trace = nullptr;    ///< where one is kept
+  Trace* trace = nullptr;                        ///< where one is kept
   Trace::Clock::time_point admitted{}, ready{};  ///< ready: since then it waits for its next stage
   ModelRow row;
   std::shared_ptr<Original const> original;

@@ -21,7 +21,8 @@ double seconds(timeval const& t) { return double(t.tv_sec) + double(t.tv_usec) /
 double seconds_without_core() {
   double sum = 0;
   std::error_code error;
-  for (std::filesystem::directory_iterator it("/proc/self/task", error), end; !error && it != end; it.increment(error)) {
+  for (std::filesystem::directory_iterator it("/proc/self/task", error), end; !error && it != end;
+       it.increment(error)) {
     double ran = 0, waited = 0;
     std::ifstream(it->path() / "schedstat") >> ran >> waited;
     sum += waited / 1e9;
@@ -44,7 +45,8 @@ Moment this_moment() {
           std::uint64_t(usage.ru_inblock) * 512, memory_used()};
 }
 
-Meter::Meter(std::size_t threads, std::uint64_t allowed, std::uint64_t program) : tally_(cores(threads), allowed, program, this_moment()) {
+Meter::Meter(std::size_t threads, std::uint64_t allowed, std::uint64_t program)
+    : tally_(cores(threads), allowed, program, this_moment()) {
   thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
 }
 

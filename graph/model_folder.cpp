@@ -33,10 +33,12 @@ void ModelFolder::enter(std::string const& name) {
 void ModelFolder::settle() {
   std::vector<fs::path> left_over;
   for (fs::directory_entry const& entry : fs::recursive_directory_iterator(gallery_ / folder_))
-    if (!entry.is_directory() && !row_.files.contains(fs::relative(entry.path(), gallery_))) left_over.push_back(entry.path());
+    if (!entry.is_directory() && !row_.files.contains(fs::relative(entry.path(), gallery_)))
+      left_over.push_back(entry.path());
   for (fs::path const& file : left_over) {
     fs::remove(file);
-    for (fs::path up = file.parent_path(); up != gallery_ / folder_ && fs::is_empty(up); up = up.parent_path()) fs::remove(up);
+    for (fs::path up = file.parent_path(); up != gallery_ / folder_ && fs::is_empty(up); up = up.parent_path())
+      fs::remove(up);
   }
   name_files(row_);
 }
@@ -48,7 +50,9 @@ void ModelFolder::certify(std::string_view text) {
 
 void name_files(ModelRow& row) {
   std::string const folder = "models/" + row.slug + "/";
-  auto const published = [&](std::string const& name) { return row.files.contains(folder + name) ? folder + name : ""; };
+  auto const published = [&](std::string const& name) {
+    return row.files.contains(folder + name) ? folder + name : "";
+  };
   row.thumb = published("thumb.glb");
   row.poster = published("poster.jpg");
   row.certificate = published(kCertificate);

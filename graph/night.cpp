@@ -13,7 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::int64_t now() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
 }
 
 std::map<std::string, Record> decoded(std::map<std::string, std::string> const& entries) {
@@ -36,7 +37,9 @@ ModelRow pending(io::ArchiveEntry const& entry) {
 fs::path ledger_file(fs::path const& gallery) { return gallery / ".vitrine/ledger.sqlite"; }
 fs::path lock_file(fs::path const& gallery) { return gallery / ".vitrine/lock"; }
 
-std::map<std::string, Record> recorded(fs::path const& gallery) { return decoded(io::read_ledger(ledger_file(gallery))); }
+std::map<std::string, Record> recorded(fs::path const& gallery) {
+  return decoded(io::read_ledger(ledger_file(gallery)));
+}
 
 Night::Night(fs::path const& gallery)
     : gallery_(gallery), ledger_(ledger_file(gallery)), started_(now()), kept_(ledger_.entries()) {
@@ -46,7 +49,8 @@ Night::Night(fs::path const& gallery)
 void Night::forget(Retry what) {
   for (auto it = known_.begin(); it != known_.end();) {
     std::string const& status = it->second.row.status;
-    bool const wanted = what != Retry::nothing && (status == "failed" || (status == "quarantined" && what == Retry::quarantined));
+    bool const wanted =
+        what != Retry::nothing && (status == "failed" || (status == "quarantined" && what == Retry::quarantined));
     auto const next = std::next(it);
     if (wanted) forgotten_.insert(known_.extract(it));
     it = next;

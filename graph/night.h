@@ -46,7 +46,7 @@ class Night {
   std::vector<ModelRow> rows() const;
   std::map<std::string, Record> const& records() const { return records_; }
   std::set<std::string> const& converted() const { return converted_; }  ///< slugs that this run has worked on
-  std::int64_t started() const { return started_; }  ///< milliseconds since 1970
+  std::int64_t started() const { return started_; }                      ///< milliseconds since 1970
 
   /// Folders in models/ that belong to no model of the archive.
   std::vector<std::string> orphans() const;

@@ -8,8 +8,9 @@
 namespace vitrine::graph {
 
 Occupancy& Occupancy::operator+=(Occupancy const& later) {
-  for (auto const sum : {&Occupancy::seconds, &Occupancy::available, &Occupancy::computed, &Occupancy::taken, &Occupancy::memory,
-                         &Occupancy::reading, &Occupancy::writing, &Occupancy::ending, &Occupancy::within})
+  for (auto const sum :
+       {&Occupancy::seconds, &Occupancy::available, &Occupancy::computed, &Occupancy::taken, &Occupancy::memory,
+        &Occupancy::reading, &Occupancy::writing, &Occupancy::ending, &Occupancy::within})
     this->*sum += later.*sum;
   disk_bytes += later.disk_bytes;
   if (later.peak > peak) peak = later.peak, admitted = later.admitted;
@@ -28,11 +29,13 @@ Bound bound(Occupancy const& o) {
   double all = 0;
   for (auto const& [seconds, why] : idle) all += seconds;
   if (all < 0.1 * o.available) return Bound::cores;
-  return std::max_element(idle.begin(), idle.end(), [](auto const& a, auto const& b) { return a.first < b.first; })->second;
+  return std::max_element(idle.begin(), idle.end(), [](auto const& a, auto const& b) { return a.first < b.first; })
+      ->second;
 }
 
 std::string_view shown(Bound bound) {
-  constexpr std::array<std::string_view, 7> names{"nothing", "cores", "memory", "reading", "writing", "ending", "within"};
+  constexpr std::array<std::string_view, 7> names{"nothing", "cores",  "memory", "reading",
+                                                  "writing", "ending", "within"};
   return names[std::size_t(bound)];
 }
 

@@ -33,8 +33,10 @@ struct PublishOptions {
     visit(self.certificate,
           Field{"certificate", "", "measure each written file against its original and write certificate.json"});
     visit(self.series, Field{"series", "", "write the rival, too: a turntable of pictures in series/"});
-    visit(self.series_rows, Field{"series-rows", "rows", "of such a series: further turns, evenly up to 80 degrees above the horizon", 1, 8});
-    visit(self.viewport, Field{"viewport", "pixels", "side of the pictures that are measured, and of poster.jpg", 11, 1024});
+    visit(self.series_rows, Field{"series-rows", "rows",
+                                  "of such a series: further turns, evenly up to 80 degrees above the horizon", 1, 8});
+    visit(self.viewport,
+          Field{"viewport", "pixels", "side of the pictures that are measured, and of poster.jpg", 11, 1024});
   }
 };
 
@@ -53,8 +55,11 @@ struct ModelOptions {
   PublishOptions publish;
 };
 
-/// Whether the search decides. --triangles or --texture, not 0, switch it off: then all else is taken as it stands here.
-inline bool searches(ModelOptions const& options) { return options.simplify.triangles == 0 && options.pack.texture == 0; }
+/// Whether the search decides. --triangles or --texture, not 0, switch it off: then all else is taken as it stands
+/// here.
+inline bool searches(ModelOptions const& options) {
+  return options.simplify.triangles == 0 && options.pack.texture == 0;
+}
 
 /// visit(group, options struct) for each struct with fields, in the order of the stages.
 template <class Self, class Visitor>
@@ -77,9 +82,11 @@ struct RunOptions {
   std::uint64_t memory = 0;  ///< bytes that the program may take; 0: default_memory()
   std::filesystem::path gallery;
   std::filesystem::path trace{};  ///< where to write what happened when; empty: nowhere
-  std::size_t models = 0;    ///< under way at once; 0: twice the threads
-  std::function<void(io::ArchiveEntry const&, std::string_view stage)> stage{};  ///< a model enters a stage; from any thread
-  std::function<void(Occupancy const& since_the_last)> occupied{};  ///< at the end of each model; from one thread at a time
+  std::size_t models = 0;         ///< under way at once; 0: twice the threads
+  std::function<void(io::ArchiveEntry const&, std::string_view stage)>
+      stage{};  ///< a model enters a stage; from any thread
+  std::function<void(Occupancy const& since_the_last)>
+      occupied{};          ///< at the end of each model; from one thread at a time
   std::stop_token stop{};  ///< once stop is requested, no further model is begun
 };
 

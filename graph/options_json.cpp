@@ -15,7 +15,8 @@ T parsed(StrictOrderedJson const& json) {
   if constexpr (std::is_enum_v<T>) {
     auto const& names = EnumNames<T>::names;
     auto const found = std::find(names.begin(), names.end(), json.get<std::string>());
-    if (found == names.end()) throw Error(ErrorKind::invalid_input, "there is no choice " + json.dump(), "make it anew");
+    if (found == names.end())
+      throw Error(ErrorKind::invalid_input, "there is no choice " + json.dump(), "make it anew");
     return static_cast<T>(found - names.begin());
   } else {
     return json.get<T>();

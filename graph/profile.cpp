@@ -8,7 +8,8 @@
 namespace vitrine::graph {
 
 StageProfile& Profile::of(std::string const& stage) {
-  auto const found = std::find_if(stages_.begin(), stages_.end(), [&](StageProfile const& s) { return s.stage == stage; });
+  auto const found =
+      std::find_if(stages_.begin(), stages_.end(), [&](StageProfile const& s) { return s.stage == stage; });
   if (found != stages_.end()) return *found;
   stages_.push_back({});
   stages_.back().stage = stage;

@@ -105,7 +105,8 @@ Measurement read_measure(json const& in) {
   m.options.size = in.at("size");
   m.options.light = named<Light>(in.at("light"));
   m.options.occlusion = named<Occlusion>(in.at("ao"));
-  m.mean = {in.at("mse1e4"), in.at("foregroundMse1e4"), in.at("psnr"), in.at("ssim"), in.at("foregroundSsim"), in.at("iou")};
+  m.mean = {in.at("mse1e4"), in.at("foregroundMse1e4"), in.at("psnr"),
+            in.at("ssim"),   in.at("foregroundSsim"),   in.at("iou")};
   m.worst_mse1e4 = in.at("worstMse1e4");
   m.worst_view = in.at("worstView");
   m.coverage = in.at("coverage");

@@ -7,7 +7,9 @@ namespace vitrine::graph {
 
 template <class T>
 struct StrictSerializer<std::optional<T>> {
-  static void to_json(StrictJson& out, std::optional<T> const& value) { out = value ? StrictJson(*value) : StrictJson(); }
+  static void to_json(StrictJson& out, std::optional<T> const& value) {
+    out = value ? StrictJson(*value) : StrictJson();
+  }
   static void from_json(StrictJson const& in, std::optional<T>& value) {
     value.reset();
     if (in.is_null()) return;
@@ -24,8 +26,8 @@ VITRINE_JSON_MEMBERS(Stamp, bytes, inode, modified, changed)
 }  // namespace vitrine::io
 
 namespace vitrine {
-VITRINE_JSON_MEMBERS(Recipe, triangles, shading, painting, colour_weight, fitted, position_bits, normal_bits, colour_bits,
-                     smoothing, unfolding, texture, map_quality, ceiling, avif)
+VITRINE_JSON_MEMBERS(Recipe, triangles, shading, painting, colour_weight, fitted, position_bits, normal_bits,
+                     colour_bits, smoothing, unfolding, texture, map_quality, ceiling, avif)
 VITRINE_JSON_MEMBERS(Trial, recipe, bytes, map_bytes, map_quality, error, score)
 VITRINE_JSON_MEMBERS(BakeStatistics, texels, samples, misses)
 VITRINE_JSON_MEMBERS(AngleError, p50, p99)
@@ -38,7 +40,9 @@ VITRINE_JSON_MEMBERS(Verdict, thumbnail_wins, rival)
 void to_json(graph::StrictJson& out, BoundingSphere const& sphere) {
   out = {sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius};
 }
-void from_json(graph::StrictJson const& in, BoundingSphere& sphere) { sphere = {{in.at(0), in.at(1), in.at(2)}, in.at(3)}; }
+void from_json(graph::StrictJson const& in, BoundingSphere& sphere) {
+  sphere = {{in.at(0), in.at(1), in.at(2)}, in.at(3)};
+}
 }  // namespace vitrine
 
 namespace vitrine::graph {
@@ -56,11 +60,12 @@ VITRINE_JSON_MEMBERS(SeriesSize, frames, bytes, coding_mse1e4, turning_mse1e4)
 VITRINE_JSON_MEMBERS(SeriesSizes, codec, sizes)
 using SeriesWritten = ModelRow::SeriesWritten;
 VITRINE_JSON_MEMBERS(SeriesWritten, frames, rows, bytes)
-VITRINE_JSON_MEMBERS(ModelRow, series_written, sphere, thinned_triangles, thinning_mse1e4, waiting, peaks, charts, chart_retries,
-                     simplify_error, atlas_fill, bake, triangles, vertices, bytes, x3d_bytes, recipe, map_quality, normal_angle,
-                     input, slug, title, metadata, status, failure, thumb, poster, series_folder, x3d, x3d_zip, certificate,
-                     files, input_hash, dependencies, input_bytes, memory, source_triangles, source_vertices, source_coloured, up,
-                     repairs, notes, trials, measurement, series, verdict, seconds)
+VITRINE_JSON_MEMBERS(ModelRow, series_written, sphere, thinned_triangles, thinning_mse1e4, waiting, peaks, charts,
+                     chart_retries, simplify_error, atlas_fill, bake, triangles, vertices, bytes, x3d_bytes, recipe,
+                     map_quality, normal_angle, input, slug, title, metadata, status, failure, thumb, poster,
+                     series_folder, x3d, x3d_zip, certificate, files, input_hash, dependencies, input_bytes, memory,
+                     source_triangles, source_vertices, source_coloured, up, repairs, notes, trials, measurement,
+                     series, verdict, seconds)
 VITRINE_JSON_MEMBERS(Record, row, settings, stamps, since, evidence)
 
 std::string to_bytes(Record const& record) {

@@ -17,10 +17,10 @@ using Stamps = std::map<std::string, io::Stamp>;
 
 struct Record {
   ModelRow row;
-  std::string settings;     ///< settings_hash
+  std::string settings;  ///< settings_hash
   Stamps stamps;
-  std::int64_t since = 0;   ///< of a failure: the start of the run that saw it first, milliseconds since 1970
-  std::string evidence;     ///< of a quarantined model: the last lines of the log
+  std::int64_t since = 0;  ///< of a failure: the start of the run that saw it first, milliseconds since 1970
+  std::string evidence;    ///< of a quarantined model: the last lines of the log
 };
 
 /// CBOR: exact, also for numbers that JSON does not know and for names that are no UTF-8.

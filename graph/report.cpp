@@ -145,13 +145,15 @@ json outcome_json(ModelRow const& row) {
       {"bake",
        {{"texels", row.bake.texels}, {"samples", row.bake.samples}, {"missRate", double(row.bake.misses) / samples}}}};
   if (auto const& angle = row.normal_angle) out["bake"]["normalAngle"] = {{"p50", angle->p50}, {"p99", angle->p99}};
-  if (row.recipe) out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe, row.map_quality)}};
+  if (row.recipe)
+    out["search"] = {{"trials", row.trials.size()}, {"recipe", recipe_json(*row.recipe, row.map_quality)}};
   if (row.x3d_bytes > 0) out["x3dBytes"] = row.x3d_bytes;
   if (row.thinned_triangles > 0) {
     out["thinned"] = {{"triangles", row.thinned_triangles}};
     if (row.thinning_mse1e4) out["thinned"]["mse1e4"] = *row.thinning_mse1e4;
   }
-  if (auto const& s = row.series_written) out["seriesFiles"] = {{"frames", s->frames}, {"rows", s->rows}, {"bytes", s->bytes}};
+  if (auto const& s = row.series_written)
+    out["seriesFiles"] = {{"frames", s->frames}, {"rows", s->rows}, {"bytes", s->bytes}};
   if (row.sphere) out["sphere"] = sphere_json(*row.sphere);
   if (!row.measurement) return out;
   out["measure"] = measure_json(*row.measurement);
@@ -176,7 +178,8 @@ json report_json(std::vector<ModelRow> const& rows, std::string const& archive, 
 
 std::string report_csv(std::vector<ModelRow> const& rows) {
   std::string out =
-      "input,title,status,stage,reason,remedy,thumb,bytes,geometry,colour,normal,occlusion,other,x3d,triangles,vertices,"
+      "input,title,status,stage,reason,remedy,thumb,bytes,geometry,colour,normal,occlusion,other,x3d,triangles,"
+      "vertices,"
       "charts,"
       "mse1e4,ssim,atlas_fill,source_triangles,source_bytes,seconds,notes\r\n";
   for (ModelRow const& row : rows) {
@@ -218,17 +221,15 @@ json gallery_json(std::vector<ModelRow> const& rows) {
   json objects = json::array();
   for (ModelRow const& row : rows) {
     if (row.status != "done") continue;
-    json object = {{"slug", row.slug},
-                   {"title", row.title},
-                   {"thumb", row.thumb},
-                   {"poster", row.poster},
-                   {"bytes", row.bytes.total},
-                   {"triangles", row.triangles}};
+    json object = {{"slug", row.slug},     {"title", row.title},       {"thumb", row.thumb},
+                   {"poster", row.poster}, {"bytes", row.bytes.total}, {"triangles", row.triangles}};
     if (row.measurement) object["mse1e4"] = row.measurement->mean.mse1e4;
     if (row.sphere) object["sphere"] = sphere_json(*row.sphere);
     if (auto const& s = row.series_written)
-      object["series"] = {
-          {"manifest", row.series_folder + "/series.json"}, {"frames", s->frames}, {"rows", s->rows}, {"bytes", s->bytes}};
+      object["series"] = {{"manifest", row.series_folder + "/series.json"},
+                          {"frames", s->frames},
+                          {"rows", s->rows},
+                          {"bytes", s->bytes}};
     object["metadata"] = row.metadata;
     objects.push_back(std::move(object));
   }

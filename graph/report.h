@@ -55,9 +55,9 @@ struct Made {
   struct Bytes {
     std::size_t total = 0, geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
   } bytes;
-  std::size_t x3d_bytes = 0;    ///< of the zip, where the options ask for X3DOM
-  std::optional<Recipe> recipe;  ///< what the search chose; none where nothing was searched
-  int map_quality = 0;           ///< that its map was coded with
+  std::size_t x3d_bytes = 0;               ///< of the zip, where the options ask for X3DOM
+  std::optional<Recipe> recipe;            ///< what the search chose; none where nothing was searched
+  int map_quality = 0;                     ///< that its map was coded with
   std::optional<AngleError> normal_angle;  ///< of its normal map, where there is one
 };
 
@@ -65,9 +65,11 @@ struct ModelRow : Made {
   std::string input;  ///< path in the archive
   std::string slug, title;
   std::map<std::string, std::string> metadata;
-  std::string status = "failed";  ///< "done", "failed", "quarantined" (it takes the program down) or "pending" (not reached)
-  Failure failure;                ///< of all that are not done
-  std::string thumb, poster, series_folder, x3d, x3d_zip, certificate;  ///< paths in the gallery, of a finished one; "": not written
+  std::string status =
+      "failed";     ///< "done", "failed", "quarantined" (it takes the program down) or "pending" (not reached)
+  Failure failure;  ///< of all that are not done
+  std::string thumb, poster, series_folder, x3d, x3d_zip,
+      certificate;  ///< paths in the gallery, of a finished one; "": not written
 
   std::map<std::string, std::string> files;  ///< all that were published, by path in the gallery: content hashes
   struct SeriesWritten {
@@ -75,13 +77,14 @@ struct ModelRow : Made {
     std::size_t bytes = 0;
   };
   std::optional<SeriesWritten> series_written;  ///< what lies in series_folder
-  std::optional<BoundingSphere> sphere;  ///< about the original, of a finished one: the measure's and the poster's cameras follow from it
+  std::optional<BoundingSphere>
+      sphere;  ///< about the original, of a finished one: the measure's and the poster's cameras follow from it
 
   std::string input_hash;
   io::Dependencies dependencies;
   std::uint64_t input_bytes = 0, memory = 0;  ///< memory: as admitted
   std::uint64_t source_triangles = 0, source_vertices = 0;
-  std::uint64_t thinned_triangles = 0;  ///< what clustering left of them; 0: all
+  std::uint64_t thinned_triangles = 0;    ///< what clustering left of them; 0: all
   std::optional<double> thinning_mse1e4;  ///< pictures of what it left against those of all, where it was measured
   bool source_coloured = false;
   io::UpAxis up = io::UpAxis::y;  ///< of the original
@@ -93,8 +96,8 @@ struct ModelRow : Made {
   std::vector<SeriesSizes> series;
   std::optional<Verdict> verdict;
 
-  std::vector<std::pair<std::string, double>> seconds;  ///< wall time per stage, in order; waiting excluded
-  std::vector<std::pair<std::string, double>> waiting;  ///< wall time before each stage, from admission on
+  std::vector<std::pair<std::string, double>> seconds;       ///< wall time per stage, in order; waiting excluded
+  std::vector<std::pair<std::string, double>> waiting;       ///< wall time before each stage, from admission on
   std::vector<std::pair<std::string, std::uint64_t>> peaks;  ///< most memory of the program while each stage ran, bytes
 };
 

@@ -79,11 +79,8 @@ void add_sheet(std::vector<Image> const& pictures, SeriesOptions const& options,
   Image const sheet = sprite_sheet(pictures, columns);
   std::vector<std::byte> coded = io::encode_image(sheet, coding(options.codec, quality_of(options))).bytes;
   std::string const name = "sheet" + ending(options.codec);
-  series.manifest["sheet"] = {{"file", name},
-                              {"columns", columns},
-                              {"width", sheet.width},
-                              {"height", sheet.height},
-                              {"bytes", coded.size()}};
+  series.manifest["sheet"] = {
+      {"file", name}, {"columns", columns}, {"width", sheet.width}, {"height", sheet.height}, {"bytes", coded.size()}};
   series.files.push_back({name, std::move(coded)});
 }
 
@@ -92,22 +89,15 @@ void add_animation(std::vector<Image> const& pictures, SeriesOptions const& opti
   int const quality = options.codec == SeriesCodec::webp ? quality_of(options) : usual_quality(SeriesCodec::webp);
   std::vector<Image> const row(pictures.begin(), pictures.begin() + options.frames);
   std::vector<std::byte> coded = io::encode_animation(row, quality, milliseconds);
-  series.manifest["animation"] = {{"file", "turn.webp"},
-                                  {"row", 0},
-                                  {"milliseconds", milliseconds},
-                                  {"quality", quality},
-                                  {"bytes", coded.size()}};
+  series.manifest["animation"] = {
+      {"file", "turn.webp"}, {"row", 0}, {"milliseconds", milliseconds}, {"quality", quality}, {"bytes", coded.size()}};
   series.files.push_back({"turn.webp", std::move(coded)});
 }
 
 /// What is known of every series, whatever its pictures show.
 Json head(SeriesOptions const& options, int size) {
-  return {{"schema", 1},
-          {"frames", options.frames},
-          {"rows", options.rows},
-          {"size", size},
-          {"codec", name_of(options.codec)},
-          {"quality", quality_of(options)},
+  return {{"schema", 1},          {"frames", options.frames},        {"rows", options.rows},
+          {"size", size},         {"codec", name_of(options.codec)}, {"quality", quality_of(options)},
           {"order", "row by row"}};
 }
 

@@ -49,18 +49,19 @@ struct SeriesFiles {
   nlohmann::ordered_json manifest;  ///< series.json, see docs/series.md
 };
 
-/// Size and light are those of `reference`; its pictures serve as frames where they are the same views, others are drawn.
-/// Where they are a turntable, the error of turning is measured over them.
+/// Size and light are those of `reference`; its pictures serve as frames where they are the same views, others are
+/// drawn. Where they are a turntable, the error of turning is measured over them.
 /// Errors: InvalidInput if the series has more than 1024 pictures, or its sheet is larger than the codec holds.
 /// Cost:   all pictures in memory at once: 10 bytes a pixel.
 SeriesFiles series_files(SurveyedModel const& original, Reference const& reference, SeriesOptions const& options);
 
-/// Of other pictures, photographs say: frames x rows of them, row by row, RGB, all of one size, from wherever they were taken.
+/// Of other pictures, photographs say: frames x rows of them, row by row, RGB, all of one size, from wherever they were
+/// taken.
 /// Errors: as above; InvalidInput if they are not as many as the options say.
 SeriesFiles series_files(std::vector<Image> const& pictures, SeriesOptions const& options);
 
-/// Every file whole, series.json last; then removes what the series.json of an earlier series there names and this one does
-/// not have. Errors: those of io::publish_file.
+/// Every file whole, series.json last; then removes what the series.json of an earlier series there names and this one
+/// does not have. Errors: those of io::publish_file.
 void publish_series(std::filesystem::path const& folder, SeriesFiles const& series);
 
 }  // namespace vitrine::graph

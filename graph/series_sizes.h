@@ -28,7 +28,8 @@ struct SeriesSizes {
 /// In:     a reference of the turntable. Series of 8, 16 and 32 frames, as far as these divide the number of its views:
 ///         the frames are among the views, so that each is coded once.
 /// Out:    one entry for each coding: JPEG of quality 90 with full chroma and optimised Huffman tables, WebP of quality
-///         80 (both as image tools write them), AVIF of about the same error as that WebP. The same at any number of threads.
+///         80 (both as image tools write them), AVIF of about the same error as that WebP. The same at any number of
+///         threads.
 /// Errors: InvalidInput for another set of views.
 /// Cost:   about 0.4 CPU seconds for 32 views of 200 pixels; 4 MB for each codec, one after the other.
 std::vector<SeriesSizes> series_sizes(Reference const& reference);

@@ -4,7 +4,8 @@
 
 namespace vitrine::graph {
 
-/// From here on SIGINT, SIGTERM, SIGHUP and SIGCHLD no longer interrupt, and SIGPIPE is ignored: reports are written whole.
+/// From here on SIGINT, SIGTERM, SIGHUP and SIGCHLD no longer interrupt, and SIGPIPE is ignored: reports are written
+/// whole.
 class Signals {
  public:
   Signals();

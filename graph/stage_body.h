@@ -66,7 +66,8 @@ inline void note_stage(Job& job, std::string_view stage, Trace::Clock::time_poin
   std::uint64_t& peak = of_stage(job.row.peaks, stage);
   peak = std::max(peak, job.meter->end(ticket));
   job.ready = end;
-  if (job.trace) job.trace->stage(job.number, stage, std::max(0, tbb::this_task_arena::current_thread_index()), begin, end);
+  if (job.trace)
+    job.trace->stage(job.number, stage, std::max(0, tbb::this_task_arena::current_thread_index()), begin, end);
 }
 
 /// body(std::shared_ptr<In const> const&, Job&) -> Out, as the body of a node from Message<In> to Message<Out>.

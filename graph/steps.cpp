@@ -86,18 +86,20 @@ double thinning_error(SourceModel whole, SourceModel const& thin, int size) {
   return compare(all.pictures, pictures(left, all)).mean.mse1e4;
 }
 
-/// Who limits how far the surface may lie from the original's means all of it; occlusion is traced on the whole; textures
-/// would be held twice, which admission does not know.
+/// Who limits how far the surface may lie from the original's means all of it; occlusion is traced on the whole;
+/// textures would be held twice, which admission does not know.
 bool shows_outside_only(SurveyedModel const& whole, ModelOptions const& options) {
   return searches(options) && options.fit.max_deviation == 0 && options.fit.max_px == 0 &&
-         options.bake.occlusion == Occlusion::none && whole.surface.alpha() == AlphaMode::opaque && whole.model->images.empty();
+         options.bake.occlusion == Occlusion::none && whole.surface.alpha() == AlphaMode::opaque &&
+         whole.model->images.empty();
 }
 
 std::optional<SurveyedModel> outer_model(SurveyedModel const& whole, ModelRow& row) {
   std::optional<SourceModel> outer = outside(*whole.model);
   if (!outer) return {};
   std::size_t const all = whole.model->mesh.triangles.size(), left = outer->mesh.triangles.size();
-  row.notes.push_back(std::to_string(all - left) + " of " + std::to_string(all) + " triangles are hidden within and were left out");
+  row.notes.push_back(std::to_string(all - left) + " of " + std::to_string(all) +
+                      " triangles are hidden within and were left out");
   return survey(std::make_shared<SourceModel const>(std::move(*outer)));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// JSON that others may have written: the library casts any number to the integer that is asked for, which is undefined for
-/// 1e51. Here a fraction, or a number that the type does not hold, is an error like a string in its place.
+/// JSON that others may have written: the library casts any number to the integer that is asked for, which is undefined
+/// for 1e51. Here a fraction, or a number that the type does not hold, is an error like a string in its place.
 
 #include "stages/options.h"
 
@@ -24,8 +24,7 @@ struct StrictSerializer : nlohmann::adl_serializer<T> {};
 
 /// Whole numbers that fit.
 template <std::integral T>
-  requires(!std::same_as<T, bool>)
-struct StrictSerializer<T> : nlohmann::adl_serializer<T> {
+requires(!std::same_as<T, bool>) struct StrictSerializer<T> : nlohmann::adl_serializer<T> {
   template <class Json>
   static void from_json(Json const& in, T& value) {
     bool const fits = in.is_number_unsigned()
@@ -38,10 +37,12 @@ struct StrictSerializer<T> : nlohmann::adl_serializer<T> {
 
 /// As a number; one that stands for nothing is an error.
 template <class Enum>
-  requires std::is_enum_v<Enum>
+requires std::is_enum_v<Enum>
 struct StrictSerializer<Enum> {
   template <class Json>
-  static void to_json(Json& out, Enum value) { out = int(value); }
+  static void to_json(Json& out, Enum value) {
+    out = int(value);
+  }
   template <class Json>
   static void from_json(Json const& in, Enum& value) {
     int const number = in.template get<int>();
@@ -61,10 +62,10 @@ using StrictOrderedJson = StrictJsonOf<nlohmann::ordered_map>;
 }  // namespace vitrine::graph
 
 /// A struct as an object of these members: NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE for StrictJson.
-#define VITRINE_JSON_MEMBERS(Type, ...)                                                                     \
-  inline void to_json(vitrine::graph::StrictJson& nlohmann_json_j, Type const& nlohmann_json_t) {           \
-    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__))                                \
-  }                                                                                                         \
-  inline void from_json(vitrine::graph::StrictJson const& nlohmann_json_j, Type& nlohmann_json_t) {         \
-    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_FROM, __VA_ARGS__))                              \
+#define VITRINE_JSON_MEMBERS(Type, ...)                                                             \
+  inline void to_json(vitrine::graph::StrictJson& nlohmann_json_j, Type const& nlohmann_json_t) {   \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__))                        \
+  }                                                                                                 \
+  inline void from_json(vitrine::graph::StrictJson const& nlohmann_json_j, Type& nlohmann_json_t) { \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_FROM, __VA_ARGS__))                      \
   }

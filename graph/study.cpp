@@ -43,12 +43,13 @@ bool Study::advance() {
   recipe_ = *next;
   makings_ = best_makings_.shared_with(recipe_);
   trial_options_ = with_recipe(options_, recipe_);
-  if (int const quality = first_quality(); is_filled(recipe_) && quality > 0) trial_options_.encode.colour_quality = quality;
+  if (int const quality = first_quality(); is_filled(recipe_) && quality > 0)
+    trial_options_.encode.colour_quality = quality;
   return true;
 }
 
-/// Where the quality of the recipe's map is looked for first, by the last map in its coding, or else in another; 0 where there
-/// is none.
+/// Where the quality of the recipe's map is looked for first, by the last map in its coding, or else in another; 0
+/// where there is none.
 int Study::first_quality() const {
   Trial const* like = nullptr;
   for (Trial const& trial : history_)

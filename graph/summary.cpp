@@ -19,7 +19,8 @@ constexpr std::size_t kSlowest = 10;
 constexpr std::string_view kNumber = "…";
 
 double seconds_of(ModelRow const& row) {
-  return std::accumulate(row.seconds.begin(), row.seconds.end(), 0.0, [](double s, auto const& t) { return s + t.second; });
+  return std::accumulate(row.seconds.begin(), row.seconds.end(), 0.0,
+                         [](double s, auto const& t) { return s + t.second; });
 }
 
 /// Most first; of equal ones by name.
@@ -50,7 +51,8 @@ std::string kind_of(std::string const& reason) {
   std::string kind;
   for (std::size_t i = 0; i < reason.size(); ++i) {
     bool const digit = reason[i] >= '0' && reason[i] <= '9';
-    bool const inside = i > 0 && std::isalnum(static_cast<unsigned char>(reason[i - 1]));  // "glTF2" stays, and the rest of a number goes
+    // "glTF2" stays, and the rest of a number goes
+    bool const inside = i > 0 && std::isalnum(static_cast<unsigned char>(reason[i - 1]));
     if (!digit || (inside && !kind.ends_with(kNumber)))
       kind += reason[i];
     else if (!kind.ends_with(kNumber))
@@ -83,7 +85,8 @@ Summary summarise(Night const& night, GuardReport const& guard, double seconds, 
     if (row.status != "failed" && row.status != "quarantined") continue;
     ++reasons[row.failure.stage + ": " + kind_of(row.failure.reason)];
     bool const is_new = night.records().at(row.slug).since >= night.started();
-    summary.problems.push_back({row.input, row.status, row.failure.stage, row.failure.reason, row.failure.remedy, is_new});
+    summary.problems.push_back(
+        {row.input, row.status, row.failure.stage, row.failure.reason, row.failure.remedy, is_new});
   }
   summary.reasons = sorted(reasons);
   summary.slowest = sorted(times);
@@ -108,7 +111,11 @@ json cores_json(Occupancy const& o) {
           {"computed", o.computed},
           {"taken", o.taken},
           {"idle",
-           {{"memory", o.memory}, {"reading", o.reading}, {"writing", o.writing}, {"ending", o.ending}, {"within", o.within}}}};
+           {{"memory", o.memory},
+            {"reading", o.reading},
+            {"writing", o.writing},
+            {"ending", o.ending},
+            {"within", o.within}}}};
 }
 
 json memory_json(Occupancy const& o) {
@@ -121,13 +128,20 @@ json run_json(Summary const& s) {
   json slowest = json::array(), fresh = json::array(), known = json::array();
   for (auto const& [input, seconds] : s.slowest) slowest.push_back({{"input", input}, {"seconds", seconds}});
   for (Summary::Problem const& problem : s.problems) (problem.is_new ? fresh : known).push_back(problem.input);
-  return {{"seconds", s.seconds},        {"converted", s.converted},
-          {"upToDate", s.up_to_date},    {"newFailures", fresh},
-          {"knownFailures", known},      {"slowest", slowest},
-          {"workers", s.guard.workers},  {"confinement", s.guard.confinement},
-          {"bound", shown(bound(s.guard.occupancy))}, {"cores", cores_json(s.guard.occupancy)},
-          {"memory", memory_json(s.guard.occupancy)}, {"diskBytes", s.guard.occupancy.disk_bytes},
-          {"unprotected", s.guard.missing}, {"ending", s.guard.reason.empty() ? "complete" : s.guard.reason}};
+  return {{"seconds", s.seconds},
+          {"converted", s.converted},
+          {"upToDate", s.up_to_date},
+          {"newFailures", fresh},
+          {"knownFailures", known},
+          {"slowest", slowest},
+          {"workers", s.guard.workers},
+          {"confinement", s.guard.confinement},
+          {"bound", shown(bound(s.guard.occupancy))},
+          {"cores", cores_json(s.guard.occupancy)},
+          {"memory", memory_json(s.guard.occupancy)},
+          {"diskBytes", s.guard.occupancy.disk_bytes},
+          {"unprotected", s.guard.missing},
+          {"ending", s.guard.reason.empty() ? "complete" : s.guard.reason}};
 }
 
 }  // namespace vitrine::graph

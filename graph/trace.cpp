@@ -30,7 +30,8 @@ json name(std::string_view what, int group, std::size_t track, std::string const
 
 }  // namespace
 
-void Trace::stage(std::size_t model, std::string_view stage, int thread, Clock::time_point begin, Clock::time_point end) {
+void Trace::stage(std::size_t model, std::string_view stage, int thread, Clock::time_point begin,
+                  Clock::time_point end) {
   std::scoped_lock const lock(mutex_);
   spans_.push_back({model, stage, thread, since_start(begin), since_start(end)});
 }

@@ -40,11 +40,13 @@ SimplifiedMesh shape_model(Job& job) {
 BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   Recipe const& recipe = job.study->recipe();
   if (recipe.painting == Painting::own)
-    return wear_own_texture(light, *job.levels->textured, job.original->model(), job.original->samples,
-                            {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth, recipe.normal_bits});
+    return wear_own_texture(
+        light, *job.levels->textured, job.original->model(), job.original->samples,
+        {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth, recipe.normal_bits});
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
-  QuantizedMesh const placed =
-      refits(job) ? round_to_grid(light.mesh, grid, job.original->samples, refit_options(recipe)) : quantize(light.mesh, grid);
+  QuantizedMesh const placed = refits(job)
+                                   ? round_to_grid(light.mesh, grid, job.original->samples, refit_options(recipe))
+                                   : quantize(light.mesh, grid);
   PaintOptions options;
   options.colour_bits = recipe.colour_bits;
   options.smoothing = recipe.smoothing;

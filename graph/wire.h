@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// What guard and worker say to each other: values as CBOR, each behind its length, over pipes. Neither trusts the other to
-/// be there, or to be sane.
+/// What guard and worker say to each other: values as CBOR, each behind its length, over pipes. Neither trusts the
+/// other to be there, or to be sane.
 
 #include "graph/strict_json.h"
 

@@ -72,7 +72,8 @@ class Pass {
       io::ArchiveEntry const& entry = todo.entries[number];
       say([&] {
         Record record{row, settings_hash(work_.model, row.title, entry.up), {}, 0, {}};
-        if (auto const since = begun.extract(entry.slug)) record.stamps = stamps_since(since.mapped(), entry, row.dependencies);
+        if (auto const since = begun.extract(entry.slug))
+          record.stamps = stamps_since(since.mapped(), entry, row.dependencies);
         events_.finished(record);
       });
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// One pass over an archive: what is up to date is passed over, the rest converted. It knows no ledger and no processes.
+/// One pass over an archive: what is up to date is passed over, the rest converted. It knows no ledger and no
+/// processes.
 
 #include "graph/freshness.h"
 #include "graph/options.h"
@@ -32,12 +33,12 @@ struct Work {
 /// What is heard of the work; from one thread at a time.
 struct WorkEvents {
   std::function<void(io::Archive const&)> archive;
-  std::function<void(std::string const& slug, std::string const& stage)> stage;      ///< a model enters a stage
-  std::function<void(Record const&)> fresh;                                          ///< up to date, or known to fail
-  std::function<void(std::string const& slug, std::string const& why)> todo;         ///< it will be converted
-  std::function<void()> converting;                                                  ///< all have been looked at
-  std::function<void(Occupancy const& since_the_last)> occupied;                     ///< what the cores did
-  std::function<void(Record const&)> finished;                                       ///< converted, or failed
+  std::function<void(std::string const& slug, std::string const& stage)> stage;  ///< a model enters a stage
+  std::function<void(Record const&)> fresh;                                      ///< up to date, or known to fail
+  std::function<void(std::string const& slug, std::string const& why)> todo;     ///< it will be converted
+  std::function<void()> converting;                                              ///< all have been looked at
+  std::function<void(Occupancy const& since_the_last)> occupied;                 ///< what the cores did
+  std::function<void(Record const&)> finished;                                   ///< converted, or failed
 };
 
 /// Errors: those of io::read_archive.

@@ -60,8 +60,9 @@ json records_json(std::map<std::string, Record> const& records) {
 }
 
 void say_confined(Work const& work, std::uint64_t memory) {
-  Confinement const confined = confine(work.archive, work.run.gallery, memory,
-                                       work.run.trace.empty() ? work.run.trace : fs::absolute(work.run.trace).parent_path());
+  Confinement const confined =
+      confine(work.archive, work.run.gallery, memory,
+              work.run.trace.empty() ? work.run.trace : fs::absolute(work.run.trace).parent_path());
   report({{"event", "confined"}, {"level", confined.level}, {"missing", confined.missing}});
 }
 
@@ -70,8 +71,12 @@ void say_confined(Work const& work, std::uint64_t memory) {
 bool is_worker() { return std::getenv(kWorkerVariable) != nullptr; }
 
 json to_json(Order const& order) {
-  return {{"known", records_json(order.known)}, {"settled", order.settled}, {"unopened", order.unopened},
-          {"only", order.only},                 {"memory", order.memory},   {"alone", order.alone}};
+  return {{"known", records_json(order.known)},
+          {"settled", order.settled},
+          {"unopened", order.unopened},
+          {"only", order.only},
+          {"memory", order.memory},
+          {"alone", order.alone}};
 }
 
 Order order_from(json const& in) {

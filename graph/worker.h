@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// The process in which models are opened: takes one order from the guard, and tells it of every step. It may die at any time.
+/// The process in which models are opened: takes one order from the guard, and tells it of every step. It may die at
+/// any time.
 
 #include "graph/strict_json.h"
 #include "graph/work.h"
@@ -23,8 +24,8 @@ struct Order {
 StrictJson to_json(Order const& order);
 Order order_from(StrictJson const& json);
 
-/// Does the work that the guard orders over kOrders, and reports over kEvents. Does not return before all is said; ends the
-/// process when the guard is gone.
+/// Does the work that the guard orders over kOrders, and reports over kEvents. Does not return before all is said; ends
+/// the process when the guard is gone.
 int run_worker(Work work);
 
 }  // namespace vitrine::graph

@@ -12,7 +12,8 @@ bool is_avif(std::span<std::byte const> bytes);
 /// From the header alone. Errors: InvalidInput if it is damaged; Unsupported for turned or mirrored images.
 ImageSize avif_size(std::span<std::byte const> bytes);
 
-/// Of a sequence the still image. Errors: those of avif_size; LimitExceeded above limits.texels, before pixels are read.
+/// Of a sequence the still image. Errors: those of avif_size; LimitExceeded above limits.texels, before pixels are
+/// read.
 Image decode_avif(std::span<std::byte const> bytes, ColourSpace space, ReadLimits const& limits);
 
 /// 8 bits, full range, BT.601 as JPEG has it; grey as one plane; alpha without loss. The conversions are libavif's own:

@@ -24,7 +24,8 @@ Blob own(std::vector<std::byte> bytes);
 std::string_view text(Blob const& blob);
 
 /// A memory map of the file, to be read once from front to back.
-/// Errors: InvalidInput when it cannot be opened or is no regular file; std::filesystem::filesystem_error when its disk fails
+/// Errors: InvalidInput when it cannot be opened or is no regular file; std::filesystem::filesystem_error when its disk
+///         fails
 /// (if that happens later, whoever reads the map gets SIGBUS). Empty files give an empty blob.
 Blob map_file(std::filesystem::path const& path);
 
@@ -35,8 +36,8 @@ using Resolve = std::function<std::optional<Blob>(std::string_view reference)>;
 /// Where a reference leads, as resolve_in finds it; nothing when there is no such file. Errors: as Resolve.
 std::optional<std::filesystem::path> find_in(std::filesystem::path const& folder, std::string_view reference);
 
-/// Resolves in one folder: backslashes are slashes, %20-escapes are tried literally first, then decoded; a name in another
-/// case is taken where it is the only one.
+/// Resolves in one folder: backslashes are slashes, %20-escapes are tried literally first, then decoded; a name in
+/// another case is taken where it is the only one.
 Resolve resolve_in(std::filesystem::path const& folder);
 
 }  // namespace vitrine::io

@@ -6,8 +6,8 @@
 #include <draco/core/draco_version.h>
 #include <webp/encode.h>
 
-#include <cstdio>
 #include <jpeglib.h>  // needs <cstdio> before
+#include <cstdio>
 
 #include <meshoptimizer.h>
 
@@ -25,8 +25,9 @@ std::string codec_versions() {
   char avif_codecs[256];
   avifCodecVersions(avif_codecs);
   return std::string("avif ") + avifVersion() + " (" + avif_codecs + "), webp " + dotted(WebPGetEncoderVersion(), 256) +
-         ", jpeg " + dotted(LIBJPEG_TURBO_VERSION_NUMBER, 1000) + ", draco " + draco::kDracoVersion + ", meshoptimizer " +
-         std::to_string(MESHOPTIMIZER_VERSION) + ", openimageio " + dotted(OIIO::openimageio_version(), 100);
+         ", jpeg " + dotted(LIBJPEG_TURBO_VERSION_NUMBER, 1000) + ", draco " + draco::kDracoVersion +
+         ", meshoptimizer " + std::to_string(MESHOPTIMIZER_VERSION) + ", openimageio " +
+         dotted(OIIO::openimageio_version(), 100);
 }
 
 }  // namespace vitrine::io

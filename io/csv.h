@@ -19,7 +19,8 @@ struct CsvRow {
 /// closed early.
 std::vector<CsvRow> parse_csv(std::string_view text);
 
-/// A cell as it stands in a file: quoted where needed; an apostrophe before what a spreadsheet would take for a formula.
+/// A cell as it stands in a file: quoted where needed; an apostrophe before what a spreadsheet would take for a
+/// formula.
 std::string csv_cell(std::string text);
 
 }  // namespace vitrine::io

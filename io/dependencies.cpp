@@ -60,7 +60,8 @@ std::optional<Stamp> stamp(std::filesystem::path const& file) {
 }
 
 bool settled(Stamp const& stamp, std::chrono::system_clock::time_point moment) {
-  auto const limit = std::chrono::duration_cast<std::chrono::nanoseconds>(moment.time_since_epoch()) - std::chrono::seconds(2);
+  auto const limit =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(moment.time_since_epoch()) - std::chrono::seconds(2);
   return stamp.changed < limit.count() && stamp.modified < limit.count();
 }
 

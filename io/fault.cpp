@@ -108,7 +108,8 @@ int volatile sink = 0;
 void start_a_process() {
   pid_t const child = ::fork();
   if (child == 0) sleep_for_ever();
-  if (child < 0) throw Error(ErrorKind::broken, std::string("cannot start a process: ") + std::strerror(errno), "this is a test");
+  if (child < 0)
+    throw Error(ErrorKind::broken, std::string("cannot start a process: ") + std::strerror(errno), "this is a test");
   ::waitpid(child, nullptr, 0);
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// Faults on purpose, for tests: named points of the program where it can be made to die, hang or hear of an I/O error.
-/// Only in builds with VITRINE_FAULTS (the dev preset and those of sanitizers); elsewhere these functions do nothing at all.
+/// Only in builds with VITRINE_FAULTS (the dev preset and those of sanitizers); elsewhere these functions do nothing at
+/// all.
 ///
-/// The variable VITRINE_FAULT lists ACTION@POINT[/OF][#N] with ';' between them: at the N-th (1) time that a process comes to
-/// POINT, on behalf of OF (a model's path; none: any), it does
+/// The variable VITRINE_FAULT lists ACTION@POINT[/OF][#N] with ';' between them: at the N-th (1) time that a process
+/// comes to POINT, on behalf of OF (a model's path; none: any), it does
 ///     kill segv bus abort overflow loop sleep fork alloc leak exit close throw   as their names say
 ///     garble                                                                  hands on noise in place of a result
 ///     enospc eio                                                              fails the system call there

@@ -65,9 +65,9 @@ GltfJson parse_json(std::string_view text) {
 /// Material extensions change the finish, lights are not drawn: such files are read without.
 bool is_read(std::string_view extension) {
   static constexpr std::array<std::string_view, 9> known{
-      "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization", "KHR_texture_transform",
-      "EXT_mesh_gpu_instancing",    "EXT_texture_webp",        "EXT_texture_avif",      "KHR_lights_punctual",
-      "KHR_xmp_json_ld"};
+      "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization",
+      "KHR_texture_transform",      "EXT_mesh_gpu_instancing", "EXT_texture_webp",
+      "EXT_texture_avif",           "KHR_lights_punctual",     "KHR_xmp_json_ld"};
   return extension.starts_with("KHR_materials_") || std::find(known.begin(), known.end(), extension) != known.end();
 }
 

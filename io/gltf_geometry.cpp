@@ -17,7 +17,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "buffers are written as they lie in memory");
 
 // glTF's names for what accessors hold.
-constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
+constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125,
+              kFloat = 5126;
 constexpr char kColours[] = "COLOR_0";
 
 std::size_t index_size(std::size_t vertices) { return vertices <= 65535 ? 2 : 4; }
@@ -127,7 +128,8 @@ VertexBuffer as_floats(VertexMesh const& mesh) {
     copy(buffer.normal_at, mesh.normals);
     copy(buffer.tangent_at, mesh.tangents);
     copy(buffer.uv_at, mesh.uvs);
-    for (unsigned k = 0; k < 3 && !mesh.colours.empty(); ++k) put<std::uint8_t>(vertex + buffer.colour_at + k, 255.0 * mesh.colours[i][k]);
+    for (unsigned k = 0; k < 3 && !mesh.colours.empty(); ++k)
+      put<std::uint8_t>(vertex + buffer.colour_at + k, 255.0 * mesh.colours[i][k]);
   }
   return buffer;
 }
@@ -183,7 +185,8 @@ WrittenGeometry describe(GltfDocument& document, VertexMesh const& mesh, VertexB
   return written;
 }
 
-WrittenGeometry write_views(GltfDocument& document, VertexMesh const& mesh, VertexBuffer const& vertices, Grid const& grid) {
+WrittenGeometry write_views(GltfDocument& document, VertexMesh const& mesh, VertexBuffer const& vertices,
+                            Grid const& grid) {
   std::vector<std::byte> const indices = index_buffer(mesh);
   document.add_view(vertices.bytes, {{"byteStride", vertices.stride}});
   document.add_view(indices);

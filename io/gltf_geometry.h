@@ -28,7 +28,8 @@ WrittenGeometry write_buffers(GltfDocument& document, VertexMesh const& mesh, Gr
 /// Without any extension: positions, normals, tangents and uvs as floats, colours as bytes.
 WrittenGeometry write_floats(GltfDocument& document, VertexMesh const& mesh);
 
-/// The same vertices and indices as write_buffers by EXT_meshopt_compression, without a fallback for clients that lack it.
+/// The same vertices and indices as write_buffers by EXT_meshopt_compression, without a fallback for clients that lack
+/// it.
 WrittenGeometry write_meshopt(GltfDocument& document, VertexMesh const& mesh, Grid const& grid);
 
 }  // namespace vitrine::io

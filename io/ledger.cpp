@@ -41,12 +41,20 @@ class Statement {
 /// As the system would say it.
 int reason(int code) {
   switch (code & 0xff) {
-    case SQLITE_FULL: return ENOSPC;
-    case SQLITE_READONLY: return EROFS;
-    case SQLITE_PERM: case SQLITE_AUTH: return EACCES;
-    case SQLITE_NOMEM: return ENOMEM;
-    case SQLITE_BUSY: case SQLITE_LOCKED: return EBUSY;
-    default: return EIO;
+    case SQLITE_FULL:
+      return ENOSPC;
+    case SQLITE_READONLY:
+      return EROFS;
+    case SQLITE_PERM:
+    case SQLITE_AUTH:
+      return EACCES;
+    case SQLITE_NOMEM:
+      return ENOMEM;
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return EBUSY;
+    default:
+      return EIO;
   }
 }
 
@@ -72,7 +80,8 @@ void Ledger::Close::operator()(sqlite3* database) const { sqlite3_close(database
 void Ledger::fail() const {
   int const code = database_ ? sqlite3_extended_errcode(database_.get()) : SQLITE_CANTOPEN;
   int const system = database_ ? sqlite3_system_errno(database_.get()) : 0;
-  throw fs::filesystem_error("cannot keep the ledger", file_, std::error_code(system ? system : reason(code), std::generic_category()));
+  throw fs::filesystem_error("cannot keep the ledger", file_,
+                             std::error_code(system ? system : reason(code), std::generic_category()));
 }
 
 void Ledger::run(char const* sql) const {

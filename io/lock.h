@@ -7,10 +7,12 @@
 
 namespace vitrine::io {
 
-/// Holds a file locked (flock) as long as it lives, and as long as a process lives that was started with its descriptor.
+/// Holds a file locked (flock) as long as it lives, and as long as a process lives that was started with its
+/// descriptor.
 class Lock {
  public:
-  /// Makes the file and its folder. Somebody who is just about to let go of it is waited for as long as `patience`. Errors: std::filesystem::filesystem_error when that is not possible.
+  /// Makes the file and its folder. Somebody who is just about to let go of it is waited for as long as `patience`.
+  /// Errors: std::filesystem::filesystem_error when that is not possible.
   explicit Lock(std::filesystem::path const& file, std::chrono::milliseconds patience = {});
   ~Lock();
   Lock(Lock const&) = delete;

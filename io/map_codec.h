@@ -8,8 +8,8 @@
 namespace vitrine::io {
 
 /// `map` in the coding asked for; or, where halved chroma makes up a third or more of that one's error (hard edges
-/// between colours, fine relief in normals), as JPEG with full chroma, if that is nearer to `map` in no more bytes. AVIF
-/// has full chroma of its own: it is written as asked for.
+/// between colours, fine relief in normals), as JPEG with full chroma, if that is nearer to `map` in no more bytes.
+/// AVIF has full chroma of its own: it is written as asked for.
 EncodedImage encode_map(Image const& map, ImageQuality const& quality);
 
 /// The same for a map that is coded already.

@@ -39,8 +39,8 @@ struct DracoMesh {
 /// Encodes on the grid's own steps: what was quantised before is stored without further loss, and so are tangents along
 /// axes (others are not). Speed 0. Equal vertices become one, triangles that use a vertex twice are dropped. What
 /// edgebreaker cannot take is stored with sequential connectivity.
-/// Colours are floats on even steps of linear light. Normalised bytes on steps even in sRGB would spread the error better,
-/// but Draco cannot pack their uneven residuals: 5 to 40 % more bytes at the same error on three scans.
+/// Colours are floats on even steps of linear light. Normalised bytes on steps even in sRGB would spread the error
+/// better, but Draco cannot pack their uneven residuals: 5 to 40 % more bytes at the same error on three scans.
 /// Errors: Broken for a mesh without triangles, a grid without extent, or when Draco refuses both ways.
 DracoMesh encode_draco(VertexMesh const& mesh, Grid const& grid);
 

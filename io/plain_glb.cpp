@@ -31,7 +31,8 @@ std::vector<Vector> take(DracoGeometry const& decoded, GltfJson const& ids, char
   if (array.components != Vector::dimensions()) refuse_gltf(std::string("attribute ") + name + " has another shape");
   std::vector<float> const values = to_floats(array);
   std::vector<Vector> out(array.count);
-  for (std::size_t i = 0; i < values.size(); ++i) out[i / array.components][static_cast<int>(i % array.components)] = values[i];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    out[i / array.components][static_cast<int>(i % array.components)] = values[i];
   return out;
 }
 

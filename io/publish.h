@@ -10,8 +10,8 @@
 
 namespace vitrine::io {
 
-/// Replaces `path` atomically; makes its folder. A reader sees the old file or the new one, also after a crash. Any number
-/// of threads and processes may publish at once; of several to one path the last one wins.
+/// Replaces `path` atomically; makes its folder. A reader sees the old file or the new one, also after a crash. Any
+/// number of threads and processes may publish at once; of several to one path the last one wins.
 /// Errors: std::filesystem::filesystem_error with the path and the system's reason (disk full, not permitted).
 void publish_file(std::filesystem::path const& path, std::span<std::byte const> bytes);
 void publish_file(std::filesystem::path const& path, std::string_view text);

@@ -4,10 +4,10 @@
 ///
 /// | format   | kept                                                                                                |
 /// |----------|-----------------------------------------------------------------------------------------------------|
-/// | PLY      | ascii, little and big endian; faces or tristrips; normals, colours (vertex, face), uv (vertex, corner), TextureFile |
-/// | OBJ+MTL  | polygons, negative indices, vertex colours, normals, uv; Kd, map_Kd, d, Tr, norm of several materials |
-/// | STL      | ascii, binary; binary facet colours are not read                                                   |
-/// | OFF      | [ST][C][N]OFF ascii; colours of vertices or faces, as bytes or 0..1                                |
+/// | PLY      | ascii, little and big endian; faces or tristrips; normals, colours (vertex, face), uv (vertex, corner),
+/// TextureFile | | OBJ+MTL  | polygons, negative indices, vertex colours, normals, uv; Kd, map_Kd, d, Tr, norm of
+/// several materials | | STL      | ascii, binary; binary facet colours are not read
+/// | | OFF      | [ST][C][N]OFF ascii; colours of vertices or faces, as bytes or 0..1                                |
 /// | glTF/GLB | rest pose of the default scene; Draco, meshopt, quantisation, texture transform, data URIs, COLOR_0  |
 ///
 /// Hostile input is normal: counts are believed only as far as bytes are present, every index is checked here, before a
@@ -25,9 +25,9 @@ namespace vitrine::io {
 struct ReadLimits {
   std::uint64_t vertices = 1'500'000'000;
   std::uint64_t triangles = 1'500'000'000;
-  std::uint64_t texels = 1ull << 30;       ///< of all images of a model together
-  std::uint64_t bytes = 16ull << 30;       ///< what the arrays and images of one model may take
-  int nesting = 64;                        ///< nodes below nodes
+  std::uint64_t texels = 1ull << 30;  ///< of all images of a model together
+  std::uint64_t bytes = 16ull << 30;  ///< what the arrays and images of one model may take
+  int nesting = 64;                   ///< nodes below nodes
 };
 
 enum class MtlKd { ignore, multiply };  ///< what a Kd beside a map_Kd does
@@ -52,7 +52,8 @@ struct Format {
 std::span<Format const> formats();
 
 /// Reads by ending. Errors: Unsupported, naming the known endings.
-SourceModel read_model(std::string_view ending, Blob const& file, Resolve const& resolve, ReadOptions const& options = {});
+SourceModel read_model(std::string_view ending, Blob const& file, Resolve const& resolve,
+                       ReadOptions const& options = {});
 
 /// Turns a z-up model to +Y up: (x, y, z) -> (x, z, -y), positions, normals and origin.
 void turn_z_up(SourceModel& model);

@@ -51,7 +51,8 @@ Json colour_factor(Rgba const& colour) {
   return list;
 }
 
-/// A palette is stored without loss, and clients must read it as it is: smaller versions of it mix colours from all over.
+/// A palette is stored without loss, and clients must read it as it is: smaller versions of it mix colours from all
+/// over.
 Json write_palette(GltfDocument& document, Image const& palette, std::size_t& bytes) {
   constexpr int kLinear = 9729;
   document.json["samplers"][0]["minFilter"] = kLinear;
@@ -87,8 +88,8 @@ Json write_colour_map(GltfDocument& document, BakedModel const& model, EncodedIm
 }
 
 /// `colour`: the colour map as coded, where there is one.
-Json write_material(GltfDocument& document, BakedModel const& model, EncodedImage const& colour, EncodeOptions const& options,
-                    EncodedThumbnail& sizes) {
+Json write_material(GltfDocument& document, BakedModel const& model, EncodedImage const& colour,
+                    EncodeOptions const& options, EncodedThumbnail& sizes) {
   Json pbr = {{"metallicFactor", 0}};
   if (Json factor = colour_factor(model.base_colour); factor != Json::array({1, 1, 1, 1}))
     pbr["baseColorFactor"] = std::move(factor);
@@ -129,8 +130,8 @@ void write_scene(GltfDocument& document, WrittenGeometry const& geometry, V3d co
   document.json["nodes"][0] = std::move(node);
 }
 
-EncodedThumbnail finish(GltfDocument& document, WrittenGeometry const& geometry, BakedModel const& model, EncodedImage const& colour,
-                        EncodeOptions const& options) {
+EncodedThumbnail finish(GltfDocument& document, WrittenGeometry const& geometry, BakedModel const& model,
+                        EncodedImage const& colour, EncodeOptions const& options) {
   EncodedThumbnail thumbnail;
   document.json["materials"][0] = write_material(document, model, colour, options, thumbnail);
   Json primitive = geometry.primitive;
@@ -160,7 +161,8 @@ EncodedImage encode_normal(Image const& map, EncodeOptions const& options) {
   return encode_map(map, {usual, options.normal_quality});
 }
 
-EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options, std::size_t most_bytes) {
+EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeOptions const& options,
+                        std::size_t most_bytes) {
   if (model.mesh.triangles.empty())
     throw Error(ErrorKind::broken, "nothing to encode: no triangles are left", "report this model");
   GltfDocument geometry_alone;
@@ -173,8 +175,9 @@ EncodedThumbnail encode(BakedModel const& model, std::string_view title, EncodeO
   CodedColour colour;
   if (model.colour && !model.palette) {
     std::size_t const rest = bytes_beside_colour(with_colour({"image/webp", {}}));
-    colour = most_bytes == kAnySize ? code_colour(*model.colour, options)
-                                    : code_colour_within(most_bytes - std::min(rest, most_bytes), *model.colour, options);
+    colour = most_bytes == kAnySize
+                 ? code_colour(*model.colour, options)
+                 : code_colour_within(most_bytes - std::min(rest, most_bytes), *model.colour, options);
   }
   EncodedThumbnail thumbnail = with_colour(colour.image);
   thumbnail.colour_quality = colour.quality;

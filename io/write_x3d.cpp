@@ -115,10 +115,14 @@ std::string list(Vector const& v) {
 std::string escaped(std::string_view plain) {
   std::string html;
   for (char c : plain) {
-    if (c == '&') html += "&amp;";
-    else if (c == '<') html += "&lt;";
-    else if (c == '>') html += "&gt;";
-    else html += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (c == '&')
+      html += "&amp;";
+    else if (c == '<')
+      html += "&lt;";
+    else if (c == '>')
+      html += "&gt;";
+    else
+      html += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return html;
 }
@@ -177,8 +181,10 @@ std::string page(BakedModel const& model, VertexMesh const& mesh, Maps const& ma
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
          "</title>\n<link rel=\"icon\" href=\"data:,\">\n<script src=\"" + std::string(kX3domScript) +
          "\"></script>\n<style>html, body { margin: 0; height: 100%; } "
-         "x3d, .x3dom-canvas { display: block; width: 100%; height: 100%; border: 0; outline: 0; }</style>\n</head>\n<body>\n<x3d><scene>\n"
-         "<environment gammaCorrectionDefault=\"linear\"></environment>\n<background skyColor=\"1 1 1\"></background>\n" +
+         "x3d, .x3dom-canvas { display: block; width: 100%; height: 100%; border: 0; outline: 0; "
+         "}</style>\n</head>\n<body>\n<x3d><scene>\n"
+         "<environment gammaCorrectionDefault=\"linear\"></environment>\n<background skyColor=\"1 1 "
+         "1\"></background>\n" +
          viewpoint(model) + "\n<transform" + attribute("translation", list(model.origin)) + "><shape>\n" +
          appearance(model, maps) + "\n" + geometry(model, mesh) +
          "\n</shape></transform>\n</scene></x3d>\n</body>\n</html>\n";

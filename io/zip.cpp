@@ -48,8 +48,8 @@ std::vector<std::byte> content(zip_source_t* source) {
 std::vector<std::byte> zip(std::span<NamedFile const> files) {
   zip_error_t error;
   zip_error_init(&error);
-  std::unique_ptr<zip_source_t, decltype(&zip_source_free)> const target(zip_source_buffer_create(nullptr, 0, 0, &error),
-                                                                         zip_source_free);
+  std::unique_ptr<zip_source_t, decltype(&zip_source_free)> const target(
+      zip_source_buffer_create(nullptr, 0, 0, &error), zip_source_free);
   if (!target) fail(zip_error_strerror(&error));
   zip_source_keep(target.get());  // the archive takes one reference
   std::unique_ptr<zip_t, decltype(&zip_discard)> archive(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a thumbnail takes from its original: maps over sizes of atlas and of original, colours per vertex over sizes of mesh.
-// A bake is to cost the same whatever the original's size, but for rays through a deeper tree.
+// What a thumbnail takes from its original: maps over sizes of atlas and of original, colours per vertex over sizes of
+// mesh. A bake is to cost the same whatever the original's size, but for rays through a deeper tree.
 #include "perf/sizes.h"
 #include "stages/bake.h"
 #include "stages/pack.h"
@@ -26,7 +26,8 @@ void BM_Bake(benchmark::State& state) {
   SurveyedModel const scan = original(state.range(1));
   std::uint64_t samples = 0;
   for (auto _ : state) samples = bake(target, scan).statistics.samples;
-  state.counters["samples per CPU second"] = benchmark::Counter(double(samples), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["samples per CPU second"] =
+      benchmark::Counter(double(samples), benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void BM_Paint(benchmark::State& state) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thumbnail's file, over its triangles and the side of its maps: written, then read again and compared, as each trial of a
-// search does.
+// A thumbnail's file, over its triangles and the side of its maps: written, then read again and compared, as each trial
+// of a search does.
 #include "io/read_model.h"
 #include "io/write_glb.h"
 #include "perf/sizes.h"
@@ -37,7 +37,9 @@ void BM_DecodeAndCompare(benchmark::State& state) {
   io::Blob const file = io::own(io::encode(baked(state), "scan").glb);
   Reference const judge = reference(scan(), {.count = 3, .supersample = 2});
   io::Resolve const nothing = [](std::string_view) { return std::nullopt; };
-  for (auto _ : state) benchmark::DoNotOptimize(compare(judge.pictures, pictures(survey(std::make_shared<SourceModel const>(io::read_gltf(file, nothing))), judge)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(compare(
+        judge.pictures, pictures(survey(std::make_shared<SourceModel const>(io::read_gltf(file, nothing))), judge)));
 }
 
 void files(benchmark::internal::Benchmark* bench) {

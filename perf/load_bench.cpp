@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happens once to each original: read, clustered, cleaned, surveyed. Rates should stay level up to 28 million triangles
-// (VITRINE_PERF=full, 12 GB of memory).
+// What happens once to each original: read, clustered, cleaned, surveyed. Rates should stay level up to 28 million
+// triangles (VITRINE_PERF=full, 12 GB of memory).
 #include "io/read_model.h"
 #include "perf/sizes.h"
 #include "stages/cluster.h"
@@ -18,9 +18,10 @@ void append(std::vector<std::byte>& bytes, void const* from, std::size_t count) 
 
 /// The mesh as a binary PLY file.
 io::Blob ply_of(TriMesh const& mesh) {
-  std::string const header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
-                             "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                             std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string const header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
+      "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(mesh.triangles.size()) +
+      "\nproperty list uchar int vertex_indices\nend_header\n";
   std::vector<std::byte> bytes;
   append(bytes, header.data(), header.size());
   append(bytes, mesh.positions.data(), mesh.positions.size() * sizeof(V3f));

@@ -60,7 +60,8 @@ class Shuffle {
 class Waves {
  public:
   explicit Waves(std::uint64_t seed) {
-    for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = float(std::sin(2 * pi * double(i) / double(table_.size())));
+    for (std::size_t i = 0; i < table_.size(); ++i)
+      table_[i] = float(std::sin(2 * pi * double(i) / double(table_.size())));
     for (std::size_t k = 0; k < waves_.size(); ++k) {
       double const frequency = 1.5 * std::pow(1.4, double(k)), angle = hash(seed + 2 * k) * 2 * pi / 4294967296.0;
       waves_[k] = {std::lround(frequency * std::cos(angle)), std::lround(frequency * std::sin(angle)),
@@ -71,7 +72,8 @@ class Waves {
   float operator()(double u, double v) const {
     auto const x = static_cast<std::int64_t>(u * 4294967296.0), y = static_cast<std::int64_t>(v * 4294967296.0);
     float sum = 0;
-    for (Wave const& w : waves_) sum += w.height * table_[static_cast<std::uint32_t>(w.along_u * x + w.along_v * y + w.phase) >> 20];
+    for (Wave const& w : waves_)
+      sum += w.height * table_[static_cast<std::uint32_t>(w.along_u * x + w.along_v * y + w.phase) >> 20];
     return sum;
   }
 
@@ -89,18 +91,21 @@ struct Scan {
   std::uint64_t columns, rows;
 
   explicit Scan(std::uint64_t triangles)
-      : columns(std::max<std::uint64_t>(3, std::llround(std::sqrt(double(triangles))))), rows(std::max<std::uint64_t>(3, triangles / 2 / columns)) {}
+      : columns(std::max<std::uint64_t>(3, std::llround(std::sqrt(double(triangles))))),
+        rows(std::max<std::uint64_t>(3, triangles / 2 / columns)) {}
   std::uint64_t vertices() const { return columns * rows; }
   std::uint64_t faces() const { return 2 * columns * rows; }
 };
 
 void write_vertex(Scan const& scan, std::uint64_t vertex, char* at) {
   static Waves const relief(1), paint(1000);
-  double const u = double(vertex % scan.columns) / double(scan.columns), v = double(vertex / scan.columns) / double(scan.rows);
+  double const u = double(vertex % scan.columns) / double(scan.columns),
+               v = double(vertex / scan.columns) / double(scan.rows);
   double const noise = (hash(vertex) / 4294967296.0 - 0.5) * 0.3 / double(scan.columns);
   double const thickness = 0.35 + 0.25 * double(relief(u, v)) + noise, about = 2 * pi * u, around = 2 * pi * v;
   double const out = 1 + thickness * std::cos(around);
-  std::array const place{float(out * std::cos(about)), float(thickness * std::sin(around)), float(-out * std::sin(about))};
+  std::array const place{float(out * std::cos(about)), float(thickness * std::sin(around)),
+                         float(-out * std::sin(about))};
   std::memcpy(at, place.data(), sizeof place);
   for (int k = 0; k < 3; ++k)
     at[12 + k] = char(std::clamp(150 + 90 * paint(u + k * 0.07, v) + float(hash(vertex + k) % 9), 0.f, 255.f));
@@ -111,7 +116,8 @@ Triangle face(Scan const& scan, std::uint64_t index) {
   auto const at = [&](std::uint64_t x, std::uint64_t y) {
     return static_cast<std::uint32_t>(y % scan.rows * scan.columns + x % scan.columns);
   };
-  return index % 2 == 0 ? Triangle{at(i, j), at(i, j + 1), at(i + 1, j)} : Triangle{at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
+  return index % 2 == 0 ? Triangle{at(i, j), at(i, j + 1), at(i + 1, j)}
+                        : Triangle{at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
 }
 
 /// Records in blocks: make(index, place in memory).
@@ -131,7 +137,8 @@ void write(std::string const& path, Scan const& scan, bool shuffled) {
   file.exceptions(std::ios::failbit | std::ios::badbit);
   file.open(path, std::ios::binary);
   file << "ply\nformat binary_little_endian 1.0\nelement vertex " << scan.vertices()
-       << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face "
+       << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty "
+          "uchar blue\nelement face "
        << scan.faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
   Shuffle const vertices(scan.vertices()), faces(scan.faces());
   std::vector<std::uint32_t> place(shuffled ? scan.vertices() : 0);  // of each vertex in the file
@@ -155,7 +162,9 @@ int main(int argc, char** argv) try {
   bool shuffle = false;
   CLI::App app("Writes one huge coloured scan.");
   app.add_option("out", path, "PLY file")->required();
-  app.add_option("--triangles", triangles, "about so many")->check(CLI::Range(18, 2'000'000'000))->capture_default_str();
+  app.add_option("--triangles", triangles, "about so many")
+      ->check(CLI::Range(18, 2'000'000'000))
+      ->capture_default_str();
   app.add_flag("--shuffle", shuffle, "vertices and faces in random order");
   CLI11_PARSE(app, argc, argv);
   write(path, Scan(triangles), shuffle);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measure: the original's 32 views, those of a thumbnail, and their comparison. A search does the last two for every
-// trial, so "s per view" is what to look at. A ball fills most of its picture: real objects cost about half of this.
+// The measure: the original's 32 views, those of a thumbnail, and their comparison. A search does the last two for
+// every trial, so "s per view" is what to look at. A ball fills most of its picture: real objects cost about half of
+// this.
 #include "perf/sizes.h"
 #include "stages/measure.h"
 
@@ -15,7 +16,7 @@ SurveyedModel original(int triangles) { return surveyed(clean(scan_of(triangles)
 SourceModel textured_model(TriMesh mesh) {
   SourceModel model = clean(test::plain_model(std::move(mesh))).model;
   for (V3f const& p : model.mesh.positions)
-    model.uvs.push_back({std::atan2(p.x, p.z) / (2 * std::numbers::pi_v<float>) + 0.5f, (1 - p.y) / 2});
+    model.uvs.push_back({std::atan2(p.x, p.z) / (2 * std::numbers::pi_v<float>)+0.5f, (1 - p.y) / 2});
   Image image{256, 256, 3, ColourSpace::srgb, {}};
   for (int i = 0; i < 256 * 256 * 3; ++i) image.texels.push_back(static_cast<std::uint8_t>(i * 7));
   model.images = {image, image};
@@ -34,8 +35,8 @@ SurveyedModel thumbnail(Kind kind, int triangles) {
 }
 
 void count_views(benchmark::State& state, int views) {
-  state.counters["s per view"] = benchmark::Counter(
-      views, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["s per view"] =
+      benchmark::Counter(views, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void BM_Reference(benchmark::State& state) {

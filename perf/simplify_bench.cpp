@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simplification to 3000 triangles over doubling sizes, up to 28 million triangles with VITRINE_PERF=full. The rate should
-// stay level: where it falls, the mesh has left the cache or a queue has grown too deep.
+// Simplification to 3000 triangles over doubling sizes, up to 28 million triangles with VITRINE_PERF=full. The rate
+// should stay level: where it falls, the mesh has left the cache or a queue has grown too deep.
 #include "perf/sizes.h"
 
 namespace vitrine::perf {

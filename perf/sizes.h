@@ -45,10 +45,13 @@ inline TriMesh const& light_mesh(std::int64_t triangles) {
 }
 
 inline void count_triangles(benchmark::State& state, std::size_t triangles) {
-  state.counters["triangles per CPU second"] = benchmark::Counter(double(triangles), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["triangles per CPU second"] =
+      benchmark::Counter(double(triangles), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-inline void in_milliseconds(benchmark::internal::Benchmark* bench) { bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->MinTime(0.2); }
+inline void in_milliseconds(benchmark::internal::Benchmark* bench) {
+  bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->MinTime(0.2);
+}
 
 /// Of whole originals.
 inline void scans(benchmark::internal::Benchmark* bench) {

@@ -51,7 +51,8 @@ Image area_average(Image const& image, int width, int height) {
   Image out{width, height, has_alpha(image) ? 4 : 3, image.space, {}};
   out.texels.reserve(sums.size() * std::size_t(out.channels));
   for (std::array<float, 4> const& sum : sums) {
-    for (std::size_t k = 0; k < 3; ++k) out.texels.push_back(to_byte(image.space == ColourSpace::srgb ? linear_to_srgb(std::min(sum[k], 1.f)) : sum[k]));
+    for (std::size_t k = 0; k < 3; ++k)
+      out.texels.push_back(to_byte(image.space == ColourSpace::srgb ? linear_to_srgb(std::min(sum[k], 1.f)) : sum[k]));
     if (out.channels == 4) out.texels.push_back(to_byte(sum[3]));
   }
   return out;

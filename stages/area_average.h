@@ -19,8 +19,8 @@ struct Overlap {
 std::vector<Overlap> overlaps(int length, int count);
 
 /// In:     an image of 1 to 4 channels, its sides at least 1.
-/// Out:    RGB, or RGBA where it has alpha, width x height (at most its own, at least 1). Means are taken in linear light
-///         where the image is sRGB; alpha is a channel like the others, as in clients' own smaller versions.
+/// Out:    RGB, or RGBA where it has alpha, width x height (at most its own, at least 1). Means are taken in linear
+///         light where the image is sRGB; alpha is a channel like the others, as in clients' own smaller versions.
 Image area_average(Image const& image, int width, int height);
 
 }  // namespace vitrine

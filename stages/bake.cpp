@@ -37,7 +37,7 @@ std::vector<V3f> decoded_normals(TriMesh const& mesh, int bits) {
 /// What is baked, by texel, as the image will store it: sRGB and tangent space, in [0,1].
 struct Layers {
   Layer colour, normal, derived_normal, occlusion;  // without channels if not wanted
-  std::vector<std::uint8_t> known;  // by texel
+  std::vector<std::uint8_t> known;                  // by texel
 };
 
 class Baker {
@@ -105,12 +105,13 @@ class Baker {
     float const count = float(end - begin);
     if (layers.colour.channels > 0) store_colour(sum, plain, count, layers.colour.at(texel));
     if (layers.normal.channels > 0) {
-      V3f const drawn = matcher_.smooth_normal(tile.centres[t]), shown = normal.length2() > 0 ? normal.normalized() : drawn;
+      V3f const drawn = matcher_.smooth_normal(tile.centres[t]),
+                shown = normal.length2() > 0 ? normal.normalized() : drawn;
       std::uint32_t const face = tile.centres[t].face;
       store_normal(stored_frame(drawn, tangents_[atlas_.face_charts[face]]), shown, layers.normal.at(texel));
       if (layers.derived_normal.channels > 0)
-        store_normal(client_frame(corners(mesh_.positions, mesh_.triangles[face]), atlas_.corner_uvs[face], drawn), shown,
-                     layers.derived_normal.at(texel));
+        store_normal(client_frame(corners(mesh_.positions, mesh_.triangles[face]), atlas_.corner_uvs[face], drawn),
+                     shown, layers.derived_normal.at(texel));
     }
     if (layers.occlusion.channels > 0) *layers.occlusion.at(texel) = seen / count;
     return misses;
@@ -183,7 +184,8 @@ void store_images(Layers const& layers, BakeOptions const& options, AlphaMode al
     if (model.alpha == AlphaMode::opaque) drop_alpha(*model.colour);
   }
   if (layers.normal.channels > 0) model.normal = to_image(layers.normal, 3, ColourSpace::linear);
-  if (layers.derived_normal.channels > 0) model.derived_normal = to_image(layers.derived_normal, 3, ColourSpace::linear);
+  if (layers.derived_normal.channels > 0)
+    model.derived_normal = to_image(layers.derived_normal, 3, ColourSpace::linear);
   if (layers.occlusion.channels > 0 && options.occlusion == Occlusion::occlusion)
     model.occlusion = to_image(layers.occlusion, 1, ColourSpace::linear);
   if (layers.occlusion.channels > 0 && options.occlusion == Occlusion::colour)

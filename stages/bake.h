@@ -20,19 +20,21 @@ struct EnumNames<Transfer> {
 };
 
 struct BakeOptions {
-  int samples = 9;      ///< per texel; a square number
+  int samples = 9;  ///< per texel; a square number
   Transfer transfer = Transfer::normal;
   double reach = 0.05;  ///< how far normals shoot, as a share of the bounding box's diagonal
   bool normal_map = true;
   bool vertex_normals = true;
   Occlusion occlusion = Occlusion::none;
   int occlusion_rays = kOcclusionRays;
-  bool derived_normals = false;  ///< also a normal map for clients that build the frame without TANGENT; no flag: X3DOM needs it
+  bool derived_normals =
+      false;  ///< also a normal map for clients that build the frame without TANGENT; no flag: X3DOM needs it
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.samples, Field{"samples", "per texel", "rounded up to a square number", 1, 256});
-    visit(self.transfer, Field{"transfer", "", "where a sample's colour and normal come from: along its normal, or the nearest point"});
+    visit(self.transfer, Field{"transfer", "",
+                               "where a sample's colour and normal come from: along its normal, or the nearest point"});
     visit(self.reach, Field{"reach", "box diagonals", "how far rays look for the original", 1e-4, 1});
     visit(self.normal_map, Field{"normal-map", "", "bake the original's normals"});
     visit(self.vertex_normals,
@@ -44,16 +46,17 @@ struct BakeOptions {
   }
 };
 
-/// Shoots each sample (unless options.transfer says otherwise) along the interpolated normal, outwards and inwards, and takes the nearer hit on a face whose
-/// normal agrees (dot > 0), so that the far side of a sheet never counts; where there is none, the closest point of
-/// agreeing orientation within reach, then any closest point. Colours are averaged in linear light, weighted by their
-/// coverage.
+/// Shoots each sample (unless options.transfer says otherwise) along the interpolated normal, outwards and inwards, and
+/// takes the nearer hit on a face whose normal agrees (dot > 0), so that the far side of a sheet never counts; where
+/// there is none, the closest point of agreeing orientation within reach, then any closest point. Colours are averaged
+/// in linear light, weighted by their coverage.
 ///
 /// Out:    vertex normals for the quantised mesh, as the client decodes them; maps as large as the atlas, in which
 ///         every texel that a client reads for a point of a chart has its values, and the rest is filled smoothly.
-///         No colour map for models of one colour or none; occlusion as the survey traced it; alpha only where something is transparent; normals in the
-///         frame of the chart's tangent, which goes with them (tangent_frame.h), none for unlit models. Double-sided if
-///         the original is, or the mesh has a boundary. The same bytes at any thread count.
+///         No colour map for models of one colour or none; occlusion as the survey traced it; alpha only where
+///         something is transparent; normals in the frame of the chart's tangent, which goes with them
+///         (tangent_frame.h), none for unlit models. Double-sided if the original is, or the mesh has a boundary. The
+///         same bytes at any thread count.
 /// Cost:   two rays a sample, tiles of the texture in parallel; 12 floats a texel at most.
 BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, BakeOptions const& options = {});
 

@@ -63,9 +63,7 @@ ByteModel::ByteModel(Recipe const& recipe, std::span<Trial const> history)
   }
 }
 
-int ByteModel::triangles(double bytes) const {
-  return triangles_beside(map_, bytes);
-}
+int ByteModel::triangles(double bytes) const { return triangles_beside(map_, bytes); }
 
 int ByteModel::triangles_beside(double map_bytes, double bytes) const {
   return int(std::max(0.0, (bytes - kHeaderBytes - map_bytes) / per_triangle_));

@@ -7,15 +7,16 @@
 namespace vitrine {
 
 struct Repairs {
-  std::uint64_t nonfinite_vertices = 0;   ///< position NaN, infinite or beyond 1e18; the faces that use them are dropped
-  std::uint64_t degenerate_faces = 0;     ///< without area: repeated or collinear corners
-  std::uint64_t duplicate_faces = 0;      ///< the same three places again, in either winding
-  std::uint64_t repaired_normals = 0;     ///< zero or non-finite normals replaced by the surface's
-  std::uint64_t flipped_faces = 0;        ///< the whole model was wound against its own normals and is turned round
+  std::uint64_t nonfinite_vertices = 0;  ///< position NaN, infinite or beyond 1e18; the faces that use them are dropped
+  std::uint64_t degenerate_faces = 0;    ///< without area: repeated or collinear corners
+  std::uint64_t duplicate_faces = 0;     ///< the same three places again, in either winding
+  std::uint64_t repaired_normals = 0;    ///< zero or non-finite normals replaced by the surface's
+  std::uint64_t flipped_faces = 0;       ///< the whole model was wound against its own normals and is turned round
 };
 
 struct CleanModel {
-  SourceModel model;  ///< valid: check(model) is empty; has normals (the file's, or area-weighted smooth ones of welded places)
+  SourceModel
+      model;  ///< valid: check(model) is empty; has normals (the file's, or area-weighted smooth ones of welded places)
   Repairs repairs;
   bool computed_normals = false;
 };
@@ -31,8 +32,8 @@ CleanModel clean(SourceModel model);
 /// The order of vertices follows the first use in the source; the result may be non-manifold.
 TriMesh weld(SourceModel const& model);
 
-/// For each vertex the first one at the same place; itself where vertices are shared anyhow: where they are no more than
-/// faces.
+/// For each vertex the first one at the same place; itself where vertices are shared anyhow: where they are no more
+/// than faces.
 std::vector<std::uint32_t> merged_places(TriMesh const& mesh);
 
 /// Area-weighted smooth normals, one per vertex (a vertex without area gets +Y). Vertices at equal places count as one.

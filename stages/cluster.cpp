@@ -15,9 +15,9 @@ namespace {
 using Index = std::uint32_t;
 
 constexpr std::size_t kGrain = std::size_t{1} << 15;
-constexpr std::size_t kChunks = 4;             ///< of sums over vertices: their number must not depend on the machine
+constexpr std::size_t kChunks = 4;  ///< of sums over vertices: their number must not depend on the machine
 constexpr std::size_t kSampledFaces = 400'000;
-constexpr double kCellsPerArea = 1.5;          ///< cells of edge 1 that a surface of area 1 crosses, over all directions
+constexpr double kCellsPerArea = 1.5;  ///< cells of edge 1 that a surface of area 1 crosses, over all directions
 
 bool has_place(V3f const& p) { return std::abs(p.x) < 1e18f && std::abs(p.y) < 1e18f && std::abs(p.z) < 1e18f; }
 
@@ -49,7 +49,8 @@ double estimated_area(TriMesh const& mesh) {
   return sum * double(step);
 }
 
-/// A number for each cell of a grid. Two cells may share one: then neighbours become one that need not, and nothing else.
+/// A number for each cell of a grid. Two cells may share one: then neighbours become one that need not, and nothing
+/// else.
 class Cells {
  public:
   Cells(V3f const& origin, double edge) : origin_(origin), scale_(float(1 / edge)) {}
@@ -171,7 +172,8 @@ Rgba16 rounded(Imath::Vec4<double> const& colour) {
 
 std::optional<SourceModel> cluster(SourceModel const& source, ClusterOptions const& options) {
   TriMesh const& mesh = source.mesh;
-  if (mesh.triangles.size() <= std::size_t(options.above) || !source.images.empty() || !source.face_materials.empty()) return {};
+  if (mesh.triangles.size() <= std::size_t(options.above) || !source.images.empty() || !source.face_materials.empty())
+    return {};
   double const area = estimated_area(mesh), edge = std::sqrt(2 * kCellsPerArea * area / options.triangles);
   Box3f const box = box_of(mesh.positions);
   if (!(edge > 0) || !(double(box.size().length()) / edge < 1e6)) return {};

@@ -192,7 +192,8 @@ TriMesh CollapseMesh::extract() const {
     renamed[v] = static_cast<Index>(mesh.positions.size());
     mesh.positions.push_back(vertices_[v].position);
   }
-  for (Index f : alive_faces()) mesh.triangles.push_back({renamed[face(f)[0]], renamed[face(f)[1]], renamed[face(f)[2]]});
+  for (Index f : alive_faces())
+    mesh.triangles.push_back({renamed[face(f)[0]], renamed[face(f)[1]], renamed[face(f)[2]]});
   return mesh;
 }
 

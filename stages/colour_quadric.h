@@ -51,8 +51,7 @@ class ColourQuadric {
   Quadric of_place() const {
     Quadric q = sum_;
     if (coloured_ > 0)
-      for (int k = 0; k < 3; ++k)
-        q += Quadric::linear(slopes_[k] / coloured_, -starts_[k] / coloured_, -coloured_);
+      for (int k = 0; k < 3; ++k) q += Quadric::linear(slopes_[k] / coloured_, -starts_[k] / coloured_, -coloured_);
     return q;
   }
 

@@ -98,8 +98,7 @@ Plane similarity(Image const& p, Image const& q, Rectangle const& part) {
     float const variances = mean_squares.values[i] - (ma * ma + mb * mb);
     float const covariance = mean_product.values[i] - ma * mb;
     float const la = ma + 0.5f, lb = mb + 0.5f;
-    map.values[i] =
-        (2 * la * lb + c1) * (2 * covariance + c2) / ((la * la + lb * lb + c1) * (variances + c2));
+    map.values[i] = (2 * la * lb + c1) * (2 * covariance + c2) / ((la * la + lb * lb + c1) * (variances + c2));
   }
   return map;
 }
@@ -158,7 +157,8 @@ void compare_structure(Image const& a, Image const& b, Foreground const& foregro
   int const side = a.width, windows = side - 2 * kReach;
   std::size_t inside = 0;
   for (int y = kReach; y < side - kReach; ++y)
-    for (int x = kReach; x < side - kReach; ++x) inside += foreground[std::size_t(y) * std::size_t(side) + std::size_t(x)];
+    for (int x = kReach; x < side - kReach; ++x)
+      inside += foreground[std::size_t(y) * std::size_t(side) + std::size_t(x)];
   double lost = 0, lost_inside = 0;
   Rectangle const part = differing(a, b);
   if (!part.empty()) {
@@ -166,7 +166,8 @@ void compare_structure(Image const& a, Image const& b, Foreground const& foregro
     for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x) {
         double const loss = 1 - double(map.row(y)[x]);
-        std::size_t const middle = std::size_t(part.top + kReach + y) * std::size_t(side) + std::size_t(part.left + kReach + x);
+        std::size_t const middle =
+            std::size_t(part.top + kReach + y) * std::size_t(side) + std::size_t(part.left + kReach + x);
         lost += loss;
         lost_inside += foreground[middle] ? loss : 0;
       }

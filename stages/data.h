@@ -4,7 +4,8 @@
 ///
 /// Conventions, stated once:
 /// - right-handed axes, +Y up; front faces counter-clockwise seen from outside; lengths in the model's own unit
-/// - texture coordinates as in glTF: u right, v down, (0,0) the outer corner of the top left texel; images store the top row first
+/// - texture coordinates as in glTF: u right, v down, (0,0) the outer corner of the top left texel; images store the
+///   top row first
 /// - colours are sRGB in 8-bit images whose `space` says so, linear everywhere else
 /// - every type owns its arrays; what one stage returns is immutable for the next
 
@@ -57,7 +58,7 @@ enum class Wrap { repeat, mirror, clamp };
 struct TextureUse {
   int image = -1;  ///< index into SourceModel::images; -1: none
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-  bool mipmapped = true;   ///< clients read smaller versions where it is far away; else the image itself, which flickers
+  bool mipmapped = true;  ///< clients read smaller versions where it is far away; else the image itself, which flickers
   std::array<float, 6> matrix{1, 0, 0, 0, 1, 0};  ///< 2 x 3, row by row
 };
 
@@ -70,7 +71,7 @@ struct Material {
   TextureUse colour_map;         ///< sRGB
   TextureUse normal_map;         ///< tangent space, glTF's orientation
   float normal_scale = 1;
-  TextureUse occlusion_map;      ///< linear, in the first channel
+  TextureUse occlusion_map;  ///< linear, in the first channel
   float occlusion_strength = 1;
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
@@ -81,15 +82,15 @@ struct Material {
 /// What an archive holds: one model as read, all parts in one space, vertices split where attributes differ.
 struct SourceModel {
   TriMesh mesh;
-  V3d origin{0, 0, 0};                         ///< added to every position; not 0 only where float would lose detail
-  std::vector<V3f> normals;                    ///< n, unit; empty: the file gives none
-  std::vector<V4f> tangents;                   ///< n; unit, w the side of the bitangent (1, -1), zero: none; empty: none
-  std::vector<V2f> uvs;                        ///< n; empty: none
-  std::vector<Rgba16> colours;                 ///< n; empty: none
-  std::vector<std::uint16_t> face_materials;   ///< f, index into materials; empty: all faces use materials[0]
-  std::vector<Material> materials{Material{}}; ///< at least one
+  V3d origin{0, 0, 0};                        ///< added to every position; not 0 only where float would lose detail
+  std::vector<V3f> normals;                   ///< n, unit; empty: the file gives none
+  std::vector<V4f> tangents;                  ///< n; unit, w the side of the bitangent (1, -1), zero: none; empty: none
+  std::vector<V2f> uvs;                       ///< n; empty: none
+  std::vector<Rgba16> colours;                ///< n; empty: none
+  std::vector<std::uint16_t> face_materials;  ///< f, index into materials; empty: all faces use materials[0]
+  std::vector<Material> materials{Material{}};  ///< at least one
   std::vector<Image> images;
-  std::vector<std::string> notes;              ///< what was ambiguous, missing or repaired, in words, for the report
+  std::vector<std::string> notes;  ///< what was ambiguous, missing or repaired, in words, for the report
 };
 
 /// Whether the original is drawn in colours of its own; one without any gets no baked base colour.
@@ -133,8 +134,8 @@ struct Atlas {
   float fill = 0;                     ///< share of the texels that charts cover
 };
 
-/// Grid on which a file stores its vertices: value = origin + integer * step. An axis-aligned cube for positions, the unit
-/// square for texture coordinates, the unit cube for colours.
+/// Grid on which a file stores its vertices: value = origin + integer * step. An axis-aligned cube for positions, the
+/// unit square for texture coordinates, the unit cube for colours.
 struct Grid {
   V3f origin{0, 0, 0};
   float range = 1;  ///< edge of the cube
@@ -158,20 +159,22 @@ struct BakeStatistics {
 struct BakedModel {
   TriMesh mesh;
   std::vector<CornerUvs> corner_uvs;  ///< f, in the unit square; empty when there is no map
-  V2f uv_offset{0, 0}, uv_scale{1, 1};  ///< `colour` is read at offset + scale * uv; others than these for a texture of the original alone
+  V2f uv_offset{0, 0},
+      uv_scale{1,
+               1};  ///< `colour` is read at offset + scale * uv; others than these for a texture of the original alone
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-  std::vector<V3f> normals;           ///< n, unit; empty: drawn flat, never with a normal map
-  std::vector<V3f> colours;           ///< n, linear, in [0,1], multiplied by base_colour; empty: none
-  std::vector<std::uint32_t> face_charts; ///< f, index into chart_tangents; empty when there is no normal map
-  std::vector<V3f> chart_tangents;    ///< c, each +X, +Y or +Z; glTF's TANGENT of all the chart's vertices, w = 1
+  std::vector<V3f> normals;                ///< n, unit; empty: drawn flat, never with a normal map
+  std::vector<V3f> colours;                ///< n, linear, in [0,1], multiplied by base_colour; empty: none
+  std::vector<std::uint32_t> face_charts;  ///< f, index into chart_tangents; empty when there is no normal map
+  std::vector<V3f> chart_tangents;         ///< c, each +X, +Y or +Z; glTF's TANGENT of all the chart's vertices, w = 1
   V3d origin{0, 0, 0};
   Grid grid;
-  Rgba base_colour{1, 1, 1, 1};       ///< multiplies colour map and vertex colours; alone for models of one colour
-  std::optional<Image> colour;        ///< sRGB, 3 or 4 channels
-  bool palette = false;               ///< `colour` lists colours that vertices pick by their uvs, see palette.h
-  std::optional<Image> normal;        ///< tangent space of chart_tangents, 3 channels, linear
+  Rgba base_colour{1, 1, 1, 1};         ///< multiplies colour map and vertex colours; alone for models of one colour
+  std::optional<Image> colour;          ///< sRGB, 3 or 4 channels
+  bool palette = false;                 ///< `colour` lists colours that vertices pick by their uvs, see palette.h
+  std::optional<Image> normal;          ///< tangent space of chart_tangents, 3 channels, linear
   std::optional<Image> derived_normal;  ///< the same normals for clients that build the frame without TANGENT
-  std::optional<Image> occlusion;     ///< 1 channel, linear
+  std::optional<Image> occlusion;       ///< 1 channel, linear
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool unlit = false;
@@ -191,8 +194,8 @@ struct EncodedThumbnail {
   std::vector<std::byte> x3d_zip;  ///< all of it in one file
   std::size_t geometry = 0, colour = 0, normal = 0, occlusion = 0, other = 0;
   std::uint32_t triangles = 0, vertices = 0;  ///< as drawn: vertices split at seams
-  int colour_quality = 0;  ///< of 100, that the colour map was coded with; 0 without one
-  std::optional<Image> normal_map;  ///< as clients decode it
+  int colour_quality = 0;                     ///< of 100, that the colour map was coded with; 0 without one
+  std::optional<Image> normal_map;            ///< as clients decode it
 };
 
 /// Each check lists what is violated, in words; an empty list means valid. Tests and debug builds use them.

@@ -67,7 +67,8 @@ unsigned tile_within(Edge<std::int32_t> const& a, Edge<std::int32_t> const& b, E
 /// An edge at a row of the tile.
 __m128 row_of(Edge<std::int32_t> const& edge, int row) {
   __m128i const first = _mm_set1_epi32(edge.at + row * edge.per_row);
-  return _mm_cvtepi32_ps(_mm_add_epi32(first, _mm_mullo_epi32(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(edge.per_column))));
+  return _mm_cvtepi32_ps(
+      _mm_add_epi32(first, _mm_mullo_epi32(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(edge.per_column))));
 }
 
 /// Of samples side by side, those whose bits are set become what is nearer.
@@ -130,8 +131,7 @@ bool DepthBuffer::project(TriMesh const& mesh, Lens const& lens) {
 void DepthBuffer::clear() {
   if (right_ < left_) return;
   for (int row = top_; row <= bottom_; ++row)
-    std::fill_n(&samples_[std::size_t(row) * std::size_t(side_) + std::size_t(left_)], right_ - left_ + 1,
-                Sample{0});
+    std::fill_n(&samples_[std::size_t(row) * std::size_t(side_) + std::size_t(left_)], right_ - left_ + 1, Sample{0});
 }
 
 void DepthBuffer::draw(std::uint32_t id, Corner const& a, Corner const& b, Corner const& c) {
@@ -184,15 +184,16 @@ void DepthBuffer::fill_tiles(std::uint32_t id, Corner const& a, Corner b, Corner
     for (int left = cells.left; left <= cells.right; left += kTile) {
       Edge<std::int32_t> const across_a(b, c, left, top), across_b(c, a, left, top), across_c(a, b, left, top);
       int const columns = std::min(cells.right - left + 1, kTile), rows = std::min(cells.bottom - top + 1, kTile);
-      unsigned within = tile_within(across_a, across_b, across_c) & 0x1111u * ((1u << columns) - 1) & ((1u << kTile * rows) - 1);
+      unsigned within =
+          tile_within(across_a, across_b, across_c) & 0x1111u * ((1u << columns) - 1) & ((1u << kTile * rows) - 1);
       if (within == 0) continue;
       if (per_b == 0 && per_c == 0)
         per_b = (b.nearness - a.nearness) / float(area), per_c = (c.nearness - a.nearness) / float(area);
       for (int row = 0; within != 0; ++row, within >>= kTile) {
         if (within % (1u << kTile) == 0) continue;
-        __m128 const nearness = _mm_add_ps(
-            _mm_add_ps(_mm_set1_ps(a.nearness), _mm_mul_ps(_mm_set1_ps(per_b), row_of(across_b, row))),
-            _mm_mul_ps(_mm_set1_ps(per_c), row_of(across_c, row)));
+        __m128 const nearness =
+            _mm_add_ps(_mm_add_ps(_mm_set1_ps(a.nearness), _mm_mul_ps(_mm_set1_ps(per_b), row_of(across_b, row))),
+                       _mm_mul_ps(_mm_set1_ps(per_c), row_of(across_c, row)));
         put_row(&samples_[std::size_t(top + row) * std::size_t(side_) + std::size_t(left)], nearness, id, within);
       }
     }

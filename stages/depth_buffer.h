@@ -11,10 +11,10 @@ namespace vitrine {
 
 /// The samples of one square picture as rays from an eye, in a model's own coordinates.
 struct Lens {
-  V3f eye, forward;             ///< forward: unit
-  V3f top_left, right, up;      ///< ray direction of sample (0, 0), and its steps; depth 1 along forward
-  float near = 0, far = 0;      ///< depths
-  int side = 0;                 ///< samples
+  V3f eye, forward;         ///< forward: unit
+  V3f top_left, right, up;  ///< ray direction of sample (0, 0), and its steps; depth 1 along forward
+  float near = 0, far = 0;  ///< depths
+  int side = 0;             ///< samples
 
   Lens(Camera const& camera, V3d const& origin, int side);
   /// Column and row in samples from the middle of the top left one.

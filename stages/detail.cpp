@@ -38,7 +38,8 @@ std::vector<double> variances(SurfaceSamples const& samples, double cell) {
     for (unsigned k = 0; k < 3; ++k) cells[s][k] = int(std::floor(samples.points[s][k] / cell));
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return std::tie(cells[a], a) < std::tie(cells[b], b); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::tie(cells[a], a) < std::tie(cells[b], b); });
   std::vector<double> out(n, 0);
   for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
     V3d sum(0);
@@ -58,8 +59,10 @@ std::vector<double> variances(SurfaceSamples const& samples, double cell) {
 std::vector<double> face_means(TriMesh const& mesh, SurfaceSamples const& samples, std::vector<double> const& values) {
   FaceGrid const grid(mesh, usual_reach(mesh));
   std::vector<std::optional<FaceGrid::Match>> matches(values.size());
-  parallel_for(matches.size(), kGrain, [&](std::size_t s) { matches[s] = grid.closest(samples.points[s], samples.normals[s]); });
-  double const mean = std::accumulate(values.begin(), values.end(), 0.0) / double(std::max<std::size_t>(1, values.size()));
+  parallel_for(matches.size(), kGrain,
+               [&](std::size_t s) { matches[s] = grid.closest(samples.points[s], samples.normals[s]); });
+  double const mean =
+      std::accumulate(values.begin(), values.end(), 0.0) / double(std::max<std::size_t>(1, values.size()));
   std::vector<double> sums(mesh.triangles.size(), kPrior * mean), counts(mesh.triangles.size(), kPrior);
   for (std::size_t s = 0; s < values.size(); ++s)
     if (matches[s]) sums[matches[s]->face] += values[s], counts[matches[s]->face] += 1;

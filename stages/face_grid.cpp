@@ -8,7 +8,7 @@ namespace vitrine {
 namespace {
 
 constexpr double kMostCells = 1 << 19;
-constexpr float kCell = 2;     ///< in reaches: most queries end in one cell, most faces lie in a few
+constexpr float kCell = 2;       ///< in reaches: most queries end in one cell, most faces lie in a few
 constexpr float kSlack = 1e-3f;  ///< of a cell, around faces and queries: more than all rounding
 
 }  // namespace
@@ -39,7 +39,8 @@ FaceGrid::FaceGrid(TriMesh const& mesh, float reach) : reach_(reach) {
   first_.assign(std::size_t(cells_.x) * cells_.y * cells_.z + 1, 0);
   for (Face const& face : faces_) for_cells(face, [&](std::size_t cell) { ++first_[cell]; });
   std::uint32_t sum = 0;
-  for (std::uint32_t& first : first_) first = sum += first;  // where its list ends; filling it from behind moves that to its beginning
+  for (std::uint32_t& first : first_)
+    first = sum += first;  // where its list ends; filling it from behind moves that to its beginning
   listed_.resize(sum);
   for (std::size_t f = faces_.size(); f-- > 0;)
     for_cells(faces_[f], [&](std::size_t cell) { listed_[--first_[cell]] = std::uint32_t(f); });
@@ -50,7 +51,12 @@ FaceGrid::Face FaceGrid::face(V3f const& corner, V3f const& b, V3f const& c) {
   double const area2 = area.length2();
   if (!(area2 > 0)) return {corner, b, c, V3f(0), V3f(0), V3f(0), {0, 0, 0}};
   V3d const u = along_c.cross(area) / area2, v = area.cross(along_b) / area2;
-  return {corner, b, c, V3f(area.normalized()), V3f(u), V3f(v),
+  return {corner,
+          b,
+          c,
+          V3f(area.normalized()),
+          V3f(u),
+          V3f(v),
           {float(u.length2()), float(v.length2()), float((u + v).length2())}};
 }
 

@@ -31,9 +31,9 @@ class FaceGrid {
 
  private:
   struct Face {
-    V3f corner, b, c;   ///< b, c: from the corner to the others
-    V3f normal;         ///< unit; zero without area
-    V3f slope_u, slope_v;  ///< of the barycentric weights of b and c over space
+    V3f corner, b, c;              ///< b, c: from the corner to the others
+    V3f normal;                    ///< unit; zero without area
+    V3f slope_u, slope_v;          ///< of the barycentric weights of b and c over space
     std::array<float, 3> slopes2;  ///< squared slopes of the weights of b, c and the corner
   };
 
@@ -43,7 +43,9 @@ class FaceGrid {
   struct Cells {
     Imath::V3i from, to;
   };
-  std::size_t index(Imath::V3i const& cell) const { return (std::size_t(cell.z) * cells_.y + cell.y) * cells_.x + cell.x; }
+  std::size_t index(Imath::V3i const& cell) const {
+    return (std::size_t(cell.z) * cells_.y + cell.y) * cells_.x + cell.x;
+  }
   Cells cells_between(V3f const& low, V3f const& high) const;  ///< both within, and in the grid
   template <class Visit>
   void for_cells(Face const& face, Visit const& visit) const;

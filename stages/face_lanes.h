@@ -35,17 +35,19 @@ class FaceLanes {
 
   /// The face of the lane before.
   void repeat(std::size_t lane) {
-    for (LaneVector<3>* vector : {&to_eye_, &along_b_, &along_c_, &normals_[0], &normals_[1], &normals_[2], &colours_[0],
-                                  &colours_[1], &colours_[2]})
+    for (LaneVector<3>* vector : {&to_eye_, &along_b_, &along_c_, &normals_[0], &normals_[1], &normals_[2],
+                                  &colours_[0], &colours_[1], &colours_[2]})
       for (Lanes& component : *vector) component[lane] = component[lane - 1];
     lit_[lane] = lit_[lane - 1];
   }
 
   /// What rays through these columns and rows see, all lanes; where `colour` is given, in that.
-  void look(Lens const& lens, Lanes const& column, Lanes const& row, std::optional<float> colour, Samples& samples) const {
+  void look(Lens const& lens, Lanes const& column, Lanes const& row, std::optional<float> colour,
+            Samples& samples) const {
     LaneVector<3> const across = cross(along_b_, along_c_);
     Lanes const slope = along_rays(across, lens, column, row);
-    Lanes u = along_rays(cross(to_eye_, along_c_), lens, column, row), v = along_rays(cross(along_b_, to_eye_), lens, column, row);
+    Lanes u = along_rays(cross(to_eye_, along_c_), lens, column, row),
+          v = along_rays(cross(along_b_, to_eye_), lens, column, row);
     for (std::size_t i = 0; i < kLanes; ++i) {
       float const scale = 1 / slope[i], met_u = u[i] * scale, met_v = v[i] * scale;
       float const low_u = met_u > 0 ? met_u : 0, in_u = low_u < 1 ? low_u : 1;
@@ -88,7 +90,8 @@ class FaceLanes {
     return products;
   }
 
-  static void interpolate(std::array<LaneVector<3>, 3> const& from_first, Lanes const& u, Lanes const& v, LaneVector<3>& values) {
+  static void interpolate(std::array<LaneVector<3>, 3> const& from_first, Lanes const& u, Lanes const& v,
+                          LaneVector<3>& values) {
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < kLanes; ++i)
         values[k][i] = from_first[0][k][i] + from_first[1][k][i] * u[i] + from_first[2][k][i] * v[i];

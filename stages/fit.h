@@ -34,8 +34,9 @@ enum class Choice {
 };
 template <>
 struct EnumNames<Choice> {
-  static constexpr std::array<std::string_view, 12> names{"none", "normals",      "atlas", "own-texture", "avif",    "unfolding",
-                                                          "colour-edges", "bits", "colours", "palette", "refit", "structure"};
+  static constexpr std::array<std::string_view, 12> names{"none",    "normals",   "atlas",        "own-texture",
+                                                          "avif",    "unfolding", "colour-edges", "bits",
+                                                          "colours", "palette",   "refit",        "structure"};
 };
 
 struct FitOptions {
@@ -48,11 +49,18 @@ struct FitOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.max_kb, Field{"max-kb", "KB of 1000 bytes", "no file is larger; the search spends them where they show most", 1, 1e5});
+    visit(self.max_kb, Field{"max-kb", "KB of 1000 bytes",
+                             "no file is larger; the search spends them where they show most", 1, 1e5});
     visit(self.max_error,
-          Field{"max-error", "MSE x 10^4", "0: fill --max-kb; else the smallest file whose measured error is at most this", 0, 1e4});
-    visit(self.max_px, Field{"max-px", "pixels", "0: any; else the smallest file whose surface lies nowhere farther from the original's, as --viewport shows it", 0, 1000});
-    visit(self.max_deviation, Field{"max-deviation", "box diagonals", "0: any; else the smallest file whose surface lies nowhere farther from the original's", 0, 1});
+          Field{"max-error", "MSE x 10^4",
+                "0: fill --max-kb; else the smallest file whose measured error is at most this", 0, 1e4});
+    visit(self.max_px, Field{"max-px", "pixels",
+                             "0: any; else the smallest file whose surface lies nowhere farther from the original's, "
+                             "as --viewport shows it",
+                             0, 1000});
+    visit(self.max_deviation,
+          Field{"max-deviation", "box diagonals",
+                "0: any; else the smallest file whose surface lies nowhere farther from the original's", 0, 1});
     visit(self.pixel_ratio,
           Field{"pixel-ratio", "", "device pixels per CSS pixel of the screens for which the search decides", 0.5, 4});
     visit(self.without, Field{"without", "", "for comparisons: what the search is to leave as it is"});
@@ -87,14 +95,14 @@ struct Recipe {
   double colour_weight = 0;  ///< of colour in the quadrics, see progression.h
   bool fitted = true;        ///< vertices are moved to where the surface fits best, see refit.h
   int position_bits = 10;
-  int normal_bits = 6;       ///< of each octahedral coordinate of a normal per vertex
-  int colour_bits = 5;       ///< of each of a colour's two numbers per vertex, see palette.h
-  double smoothing = 0.1;    ///< of colours per vertex, see paint.h
+  int normal_bits = 6;                         ///< of each octahedral coordinate of a normal per vertex
+  int colour_bits = 5;                         ///< of each of a colour's two numbers per vertex, see palette.h
+  double smoothing = 0.1;                      ///< of colours per vertex, see paint.h
   Unfolding unfolding = Unfolding::conformal;  ///< of the charts
-  int texture = 256;         ///< texels of the longer side
-  int map_quality = 0;       ///< of 100; 0: the highest that `ceiling` allows
-  int ceiling = 0;           ///< of a file with a map, in bytes
-  bool avif = false;         ///< the map's coding, else WebP or JPEG
+  int texture = 256;                           ///< texels of the longer side
+  int map_quality = 0;                         ///< of 100; 0: the highest that `ceiling` allows
+  int ceiling = 0;                             ///< of a file with a map, in bytes
+  bool avif = false;                           ///< the map's coding, else WebP or JPEG
   bool operator==(Recipe const&) const = default;
 };
 
@@ -104,12 +112,12 @@ bool is_filled(Recipe const& recipe);
 
 /// What the search knows of an original.
 struct Subject {
-  std::size_t triangles = 0;  ///< of the original: no recipe has more
-  bool coloured = false;      ///< colour varies over the surface
+  std::size_t triangles = 0;        ///< of the original: no recipe has more
+  bool coloured = false;            ///< colour varies over the surface
   std::size_t fixed_triangles = 0;  ///< by --max-deviation or --max-px: the fewest that keep to it; 0: free
-  int own_texture = 0;        ///< texels of the longer side of the texture that can be kept; 0: none can
-  bool avif = false;          ///< maps may be coded so
-  bool needs_map = false;     ///< transparency or occlusion, which only a texture can hold
+  int own_texture = 0;              ///< texels of the longer side of the texture that can be kept; 0: none can
+  bool avif = false;                ///< maps may be coded so
+  bool needs_map = false;           ///< transparency or occlusion, which only a texture can hold
 };
 
 struct Trial {

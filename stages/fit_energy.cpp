@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/fit_energy.h"
 
-#include "stages/face_grid.h"
 #include "stages/edges.h"
+#include "stages/face_grid.h"
 #include "stages/parallel.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ struct Matches {
 };
 
 Matches match(TriMesh const& mesh, SurfaceSamples const& samples, FaceGrid const& grid) {
-  Matches matches{std::vector<FaceGrid::Match>(samples.points.size()), std::vector<std::uint32_t>(mesh.triangles.size() + 1),
-                  {}};
+  Matches matches{
+      std::vector<FaceGrid::Match>(samples.points.size()), std::vector<std::uint32_t>(mesh.triangles.size() + 1), {}};
   parallel_blocks(samples.points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::uint32_t hint = 0;  // neighbours in the list are neighbours on the surface, mostly
     for (std::size_t s = begin; s < end; ++s) {
@@ -177,8 +177,7 @@ void FitEnergy::add_facets(double facet_weight) {
     Symmetric const slope = Symmetric::outer(normal);
     std::array<V3d, 3> edges;
     Triangle const& t = mesh_.triangles[f];
-    for (int k = 0; k < 3; ++k)
-      edges[k] = (V3d(mesh_.positions[t[(k + 1) % 3]]) - V3d(mesh_.positions[t[k]])) / scale_;
+    for (int k = 0; k < 3; ++k) edges[k] = (V3d(mesh_.positions[t[(k + 1) % 3]]) - V3d(mesh_.positions[t[k]])) / scale_;
     double const area = edges[0].cross(edges[1]).length() / 2;
     for (int k = 0; k < 3; ++k) {
       double const weight = facet_weight * counts_[f] * kSlope * area / edges[k].length2();

@@ -19,7 +19,7 @@ constexpr double kSame = 0.02;         ///< relative: between numbers of triangl
 constexpr double kHopeless = 0.7;      ///< in the cost's logarithm
 constexpr double kMostMapShare = 0.8;  ///< of the bytes: a map that no quality makes smaller has too many texels
 constexpr double kExcessPower = 3;     ///< with which error rises where a map that fits at no quality is made to fit
-constexpr int kSmallestFile = 1000;  ///< bytes
+constexpr int kSmallestFile = 1000;    ///< bytes
 constexpr int kLargestTexture = 8192;
 constexpr int kLandings = 9;  ///< trials that may be spent on meeting the limit
 

@@ -25,7 +25,8 @@ std::vector<Image> reduced(std::vector<Image> pictures, int size) {
 std::vector<Judge> judges(SurveyedModel const& original, int viewport, double pixel_ratio, Occlusion occlusion) {
   int const size = int(std::lround(viewport * pixel_ratio));
   std::vector<Judge> all;
-  for (auto const& [views, light] : {std::pair(ViewSet::turntable, Light::head), std::pair(ViewSet::sphere, Light::side)}) {
+  for (auto const& [views, light] :
+       {std::pair(ViewSet::turntable, Light::head), std::pair(ViewSet::sphere, Light::side)}) {
     Judge judge{reference(original, {views, kViews, size, light, kSupersample, occlusion}), {}};
     if (size > viewport) judge.coarse = reduced(judge.reference.pictures, viewport);
     all.push_back(std::move(judge));

@@ -13,9 +13,7 @@ bool painted(SourceModel const& model) {
 
 }  // namespace
 
-int occlusion_rays(MeasureOptions const& options) {
-  return options.occlusion == Occlusion::none ? 0 : kOcclusionRays;
-}
+int occlusion_rays(MeasureOptions const& options) { return options.occlusion == Occlusion::none ? 0 : kOcclusionRays; }
 
 Reference viewpoints(SurveyedModel const& original, MeasureOptions const& options) {
   Reference made{options, bounding_sphere(*original.model), {}, {}, has_colour(*original.model)};
@@ -31,7 +29,8 @@ Reference reference(SurveyedModel const& original, MeasureOptions const& options
   return made;
 }
 
-std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras, Reference const& like) {
+std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras,
+                                 Reference const& like) {
   MeasureOptions const& options = like.options;
   return render(original, cameras,
                 {options.size, options.light, !like.coloured, options.supersample, options.occlusion});

@@ -22,9 +22,10 @@ struct MeasureOptions {
     visit(self.size, Field{"size", "pixels", "side of a picture", 11, 1024});
     visit(self.light, Field{"light", "", "from the camera, or from its upper left"});
     visit(self.supersample, Field{"supersample", "", "pictures are drawn so many times larger, then reduced", 1, 4});
-    visit(self.occlusion, Field{"ao", "",
-                                "draw originals without colour with ambient occlusion: of the ambient light, as glTF's, or "
-                                "as grey colour; and thumbnails with theirs"});
+    visit(self.occlusion,
+          Field{"ao", "",
+                "draw originals without colour with ambient occlusion: of the ambient light, as glTF's, or "
+                "as grey colour; and thumbnails with theirs"});
   }
 };
 
@@ -47,7 +48,8 @@ Reference viewpoints(SurveyedModel const& original, MeasureOptions const& option
 Reference reference(SurveyedModel const& original, MeasureOptions const& options);
 
 /// The original from other cameras, drawn as the reference's own pictures are.
-std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras, Reference const& like);
+std::vector<Image> draw_original(SurveyedModel const& original, std::vector<Camera> const& cameras,
+                                 Reference const& like);
 
 /// The thumbnail as the original's cameras see it. Where neither side has a colour both are drawn in one grey; a
 /// thumbnail with a colour texture or vertex colours is drawn as it is, unless that is the occlusion of an original

@@ -134,7 +134,8 @@ Rgba bilinear(std::vector<Rgba> const& texels, int width, Pair const& x, Pair co
   Rgba const* const high = &texels[std::size_t(y.high) * width];
   Rgba mean;
   for (std::size_t k = 0; k < 4; ++k)
-    mean[k] = mix(mix(low[x.low][k], low[x.high][k], x.weight), mix(high[x.low][k], high[x.high][k], x.weight), y.weight);
+    mean[k] =
+        mix(mix(low[x.low][k], low[x.high][k], x.weight), mix(high[x.low][k], high[x.high][k], x.weight), y.weight);
   return mean;
 }
 

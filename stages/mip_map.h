@@ -7,10 +7,10 @@
 
 namespace vitrine {
 
-/// Levels halve the size (rounded down) until one texel is left; each is the one before it, read bilinearly at the middles
-/// of the new texels, in linear light when the image is sRGB, and rounded to 8 bits: a box filter where sizes are even, and
-/// where they are odd what the drivers of clients do. Levels of up to 512 x 512 texels are kept decoded, in
-/// floats: they are what most pictures and all thumbnails read. The image must outlive the map; its `space` does not
+/// Levels halve the size (rounded down) until one texel is left; each is the one before it, read bilinearly at the
+/// middles of the new texels, in linear light when the image is sRGB, and rounded to 8 bits: a box filter where sizes
+/// are even, and where they are odd what the drivers of clients do. Levels of up to 512 x 512 texels are kept decoded,
+/// in floats: they are what most pictures and all thumbnails read. The image must outlive the map; its `space` does not
 /// count.
 class MipMap {
  public:

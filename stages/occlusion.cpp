@@ -133,8 +133,8 @@ std::vector<Place> all_places(TriMesh const& mesh, std::vector<OcclusionField::C
   for (OcclusionField::Cut const& cut : cuts)
     for (std::uint32_t row = 0; row <= cut.steps; ++row)
       for (std::uint32_t column = 0; row + column <= cut.steps; ++column)
-        places[cut.first + place_in_cut(cut.steps, column, row)] = {
-            0, cut.face, float(column) / float(cut.steps), float(row) / float(cut.steps)};
+        places[cut.first + place_in_cut(cut.steps, column, row)] = {0, cut.face, float(column) / float(cut.steps),
+                                                                    float(row) / float(cut.steps)};
   return places;
 }
 

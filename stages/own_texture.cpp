@@ -28,8 +28,8 @@ struct PlacedUv {
 std::optional<std::size_t> common_material(SourceModel const& model) {
   auto const look = [&](std::size_t m) {
     Material const& x = model.materials[m];
-    return std::tie(x.colour_map.image, x.colour_map.matrix, x.colour_map.wrap_u, x.colour_map.wrap_v, x.base_colour, x.alpha,
-                    x.alpha_cutoff);
+    return std::tie(x.colour_map.image, x.colour_map.matrix, x.colour_map.wrap_u, x.colour_map.wrap_v, x.base_colour,
+                    x.alpha, x.alpha_cutoff);
   };
   std::size_t const first = model.face_materials.empty() ? 0 : model.face_materials.front();
   for (std::uint16_t m : model.face_materials)
@@ -42,8 +42,8 @@ bool alike(V2f const& a, V2f const& b) { return (a - b).length() <= kMostRepetit
 /// Vertices of one place and one coordinate become one.
 TexturedMesh joined(std::vector<PlacedUv> const& vertices, std::vector<Triangle> const& triangles) {
   std::vector<unsigned> remap(vertices.size());
-  std::size_t const count =
-      meshopt_generateVertexRemap(remap.data(), nullptr, vertices.size(), vertices.data(), vertices.size(), sizeof(PlacedUv));
+  std::size_t const count = meshopt_generateVertexRemap(remap.data(), nullptr, vertices.size(), vertices.data(),
+                                                        vertices.size(), sizeof(PlacedUv));
   TexturedMesh out;
   out.mesh.positions.resize(count);
   out.uvs.resize(count);
@@ -95,9 +95,7 @@ UvFrame frame(std::vector<CornerUvs>& corner_uvs, TextureUse const& use) {
 }
 
 /// Steps of a quarter of a texel or less.
-int bits_for(double texels) {
-  return std::clamp(int(std::bit_width(std::uint32_t(std::ceil(4 * texels)))), 8, 14);
-}
+int bits_for(double texels) { return std::clamp(int(std::bit_width(std::uint32_t(std::ceil(4 * texels)))), 8, 14); }
 
 Image reduced(Image const& image, int longer_side) {
   double const scale = std::min(1.0, double(longer_side) / std::max(image.width, image.height));
@@ -118,7 +116,8 @@ std::optional<TexturedMesh> own_texture(SourceModel const& model) {
   for (std::size_t v = 0; v < model.uvs.size(); ++v) {
     V2f const& uv = model.uvs[v];
     // + 0: negative zero is another key
-    vertices.push_back({model.mesh.positions[v] + V3f(0), {m[0] * uv.x + m[1] * uv.y + m[2], m[3] * uv.x + m[4] * uv.y + m[5]}});
+    vertices.push_back(
+        {model.mesh.positions[v] + V3f(0), {m[0] * uv.x + m[1] * uv.y + m[2], m[3] * uv.x + m[4] * uv.y + m[5]}});
     if (!alike(vertices.front().uv, vertices.back().uv)) return {};
   }
   TexturedMesh out = joined(vertices, model.mesh.triangles);
@@ -134,9 +133,9 @@ SimplifiedMesh simplify(TexturedMesh const& textured, int triangles) {
   TriMesh const& mesh = textured.mesh;
   std::vector<Triangle> faces(mesh.triangles.size());
   std::size_t const target = std::min(faces.size(), std::size_t(triangles));  // more would stop the library
-  std::size_t const indices = meshopt_simplify(faces.front().data(), mesh.triangles.front().data(), 3 * mesh.triangles.size(),
-                                               mesh.positions.front().getValue(), mesh.positions.size(), sizeof(V3f),
-                                               3 * target, std::numeric_limits<float>::max());
+  std::size_t const indices = meshopt_simplify(
+      faces.front().data(), mesh.triangles.front().data(), 3 * mesh.triangles.size(), mesh.positions.front().getValue(),
+      mesh.positions.size(), sizeof(V3f), 3 * target, std::numeric_limits<float>::max());
   faces.resize(indices / 3);
   std::erase_if(faces, [&](Triangle const& t) { return is_thin(mesh, t); });
 
@@ -153,9 +152,11 @@ BakedModel wear_own_texture(SimplifiedMesh const& light, TexturedMesh const& tex
   Material const& material = original.model->materials[textured.material];
   TextureUse const& use = material.colour_map;
   Image image = reduced(own_image(*original.model, textured), options.texture);
-  Atlas atlas{light.mesh, std::vector<std::uint32_t>(light.mesh.triangles.size(), 0), 1, light.corner_uvs, image.width, image.height};
+  Atlas atlas{light.mesh,  std::vector<std::uint32_t>(light.mesh.triangles.size(), 0), 1, light.corner_uvs, image.width,
+              image.height};
   UvFrame const uv = frame(atlas.corner_uvs, use);
-  int const bits = bits_for(std::max(double(image.width) * double(uv.scale.x), double(image.height) * double(uv.scale.y)));
+  int const bits =
+      bits_for(std::max(double(image.width) * double(uv.scale.x), double(image.height) * double(uv.scale.y)));
   QuantizedAtlas placed = quantize(std::move(atlas), {options.position_bits, bits, options.normal_bits});
 
   BakedModel model = plain_model(placed.atlas.mesh, placed.grid, original);

@@ -12,9 +12,9 @@ namespace vitrine {
 
 /// A mesh under one texture.
 struct TexturedMesh {
-  TriMesh mesh;                       ///< vertices split where their coordinates differ
-  std::vector<V2f> uvs;               ///< one per vertex, as the image is read: material's transform applied
-  std::size_t material = 0;           ///< of the original: image, wrapping and factor
+  TriMesh mesh;              ///< vertices split where their coordinates differ
+  std::vector<V2f> uvs;      ///< one per vertex, as the image is read: material's transform applied
+  std::size_t material = 0;  ///< of the original: image, wrapping and factor
 };
 
 /// Nothing where the original is not drawn so: colours per vertex, faces of different colour maps, factors or wrapping,
@@ -31,8 +31,8 @@ SimplifiedMesh simplify(TexturedMesh const& textured, int triangles);
 
 struct OwnTextureOptions {
   int position_bits = 10;
-  int texture = 256;      ///< texels of the image's longer side; never more than it has
-  bool normals = false;   ///< fitted as paint() does
+  int texture = 256;     ///< texels of the image's longer side; never more than it has
+  bool normals = false;  ///< fitted as paint() does
   int normal_bits = 6;
 };
 

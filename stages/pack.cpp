@@ -156,8 +156,8 @@ std::optional<Layout> place_shapes(std::vector<Shape> const& shapes, std::vector
 }
 
 /// The same by squares of `cell` texels.
-std::optional<Layout> place_shapes_by(int cell, std::vector<Shape> const& shapes, std::vector<V2d> const& upright, double scale,
-                                      int side, int gutter) {
+std::optional<Layout> place_shapes_by(int cell, std::vector<Shape> const& shapes, std::vector<V2d> const& upright,
+                                      double scale, int side, int gutter) {
   auto layout = place_shapes(shapes, upright, scale / cell, side / cell, (gutter + cell - 1) / cell);
   if (layout)
     for (Placement& placement : *layout) placement.origin *= cell;
@@ -247,8 +247,9 @@ Atlas pack(FlatCharts const& charts, PackOptions const& options) {
   }
   int const border = (options.gutter + 1) / 2, side = std::max(0, options.texture - 2 * border);
   auto const place = [&](double scale) {
-    return options.packing == Packing::shapes ? place_shapes_by(1 + side / kMostCells, shapes, upright, scale, side, options.gutter)
-                                              : place_boxes(shapes, upright, scale, side, options.gutter);
+    return options.packing == Packing::shapes
+               ? place_shapes_by(1 + side / kMostCells, shapes, upright, scale, side, options.gutter)
+               : place_boxes(shapes, upright, scale, side, options.gutter);
   };
   double const unit = largest > 0 ? largest : 1;
   auto const [scale, layout] = largest_scale(likely_scale(shapes, upright, side, options.gutter), kSmallest / unit,

@@ -24,7 +24,8 @@ struct PackOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.texture, Field{"texture", "texels", "width and height of the texture atlas; 0: the search decides", 0, 8192});
+    visit(self.texture,
+          Field{"texture", "texels", "width and height of the texture atlas; 0: the search decides", 0, 8192});
     visit(self.gutter, Field{"gutter", "texels", "kept free between any two charts", 1, 64});
     visit(self.packing, Field{"packing", "", "by the charts' real shapes, or by bounding boxes as in the paper"});
   }

@@ -67,7 +67,8 @@ void store_colours(std::vector<V3f> const& srgb, BakedModel& model) {
     for (unsigned k = 0; k < 3; ++k)
       if (most[k] > 0) stored[k] = codes.value(codes.code(light[k] / most[k]));
   }
-  bool const all_white = std::all_of(model.colours.begin(), model.colours.end(), [](V3f const& c) { return c == V3f(1); });
+  bool const all_white =
+      std::all_of(model.colours.begin(), model.colours.end(), [](V3f const& c) { return c == V3f(1); });
   if (all_white) model.colours.clear();
   model.base_colour = {most.x, most.y, most.z, 1};
   model.alpha = AlphaMode::opaque;

@@ -17,17 +17,20 @@ struct PaintOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.palette, Field{"palette", "", "colours per vertex as places in a small palette, not as red, green and blue"});
+    visit(self.palette,
+          Field{"palette", "", "colours per vertex as places in a small palette, not as red, green and blue"});
     visit(self.colour_bits, Field{"colour-bits", "bits", "of each number of a colour per vertex", 3, 8});
     visit(self.smoothing,
           Field{"colour-smoothing", "",
-                "colours per vertex: 0 fits the original best, 1 takes the mean around the vertex, which packs better", 0, 10});
+                "colours per vertex: 0 fits the original best, 1 takes the mean around the vertex, which packs better",
+                0, 10});
     visit(self.normals, Field{"smooth", "", "store normals per vertex; without them clients draw facets"});
     visit(self.normal_bits, Field{"smooth-bits", "bits", "of each stored normal's two octahedral coordinates", 4, 14});
   }
 };
 
-/// Fits colours and normals to the samples, see vertex_fit.h. Colours are fitted in sRGB, in which pictures are compared.
+/// Fits colours and normals to the samples, see vertex_fit.h. Colours are fitted in sRGB, in which pictures are
+/// compared.
 ///
 /// In:     the mesh as the file will store it, and the original's samples.
 /// Out:    no colours for models of one colour or none: base_colour alone. Else a palette, see palette.h, in `colour`
@@ -42,7 +45,7 @@ BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, Sur
                  PaintOptions const& options = {});
 
 /// Normals per vertex of the mesh, as the file stores them: fitted to those that the original is drawn with.
-std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
-                                PaintOptions const& options);
+std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const& original,
+                                SurfaceSamples const& samples, PaintOptions const& options);
 
 }  // namespace vitrine

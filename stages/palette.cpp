@@ -24,9 +24,7 @@ struct Plane {
   double off = 0;  ///< of the colours, see Palette::off
 };
 
-V3d axis(Eigen::Vector3d const& v) {
-  return v.sum() < 0 ? V3d(-v[0], -v[1], -v[2]) : V3d(v[0], v[1], v[2]);
-}
+V3d axis(Eigen::Vector3d const& v) { return v.sum() < 0 ? V3d(-v[0], -v[1], -v[2]) : V3d(v[0], v[1], v[2]); }
 
 Plane plane_of(std::span<V3f const> colours) {
   V3d mean(0);
@@ -39,8 +37,7 @@ Plane plane_of(std::span<V3f const> colours) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> const solver(spread);
   Plane plane{mean, axis(solver.eigenvectors().col(2)), axis(solver.eigenvectors().col(1))};
   Imath::Box<Imath::V2d> box;
-  for (V3f const& c : colours)
-    box.extendBy({(V3d(c) - mean).dot(plane.along), (V3d(c) - mean).dot(plane.across)});
+  for (V3f const& c : colours) box.extendBy({(V3d(c) - mean).dot(plane.along), (V3d(c) - mean).dot(plane.across)});
   plane.corner = mean + plane.along * box.min.x + plane.across * box.min.y;
   plane.length = box.max.x - box.min.x;
   plane.width = box.max.y - box.min.y;
@@ -54,8 +51,7 @@ struct Layout {
   int last, margin;
   double per_code;  ///< how far one code leads in the plane
 
-  Layout(Plane const& plane, int bits)
-      : last((1 << bits) - 1), margin((last + 2 * kTexels - 1) / (2 * kTexels)) {
+  Layout(Plane const& plane, int bits) : last((1 << bits) - 1), margin((last + 2 * kTexels - 1) / (2 * kTexels)) {
     per_code = std::max({plane.length, plane.width, 1e-6}) / (last - 2 * margin);
   }
   V2i nearest(Plane const& plane, V3f const& colour) const {

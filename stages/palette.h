@@ -16,9 +16,10 @@
 namespace vitrine {
 
 struct Palette {
-  Image image;           ///< sRGB, RGB; read bilinearly, without smaller versions
-  double off = 0;        ///< root of the mean square, per channel, of what the plane does not hold
-  std::vector<V2f> uvs;  ///< one per colour, on the grid of `bits` over the unit square; half a texel or more off its edge
+  Image image;     ///< sRGB, RGB; read bilinearly, without smaller versions
+  double off = 0;  ///< root of the mean square, per channel, of what the plane does not hold
+  std::vector<V2f>
+      uvs;  ///< one per colour, on the grid of `bits` over the unit square; half a texel or more off its edge
 };
 
 /// In:     colours, sRGB in [0,1], at least one; 3 to 8 bits.

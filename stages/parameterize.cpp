@@ -25,7 +25,8 @@ struct FlatChart {
 };
 
 /// The map relaxed, where it stays one.
-FlatDisk relaxed(TriMesh const& disk, FlatDisk conformal, std::vector<std::uint32_t> const& faces, std::vector<float> const& all) {
+FlatDisk relaxed(TriMesh const& disk, FlatDisk conformal, std::vector<std::uint32_t> const& faces,
+                 std::vector<float> const& all) {
   std::vector<float> lengths;
   for (std::uint32_t f : faces) lengths.push_back(all[f]);
   std::vector<V2f> uvs = relax(disk, conformal.uvs, lengths);
@@ -35,7 +36,8 @@ FlatDisk relaxed(TriMesh const& disk, FlatDisk conformal, std::vector<std::uint3
 }
 
 /// Flattens these faces, in parts where they do not lie flat as one.
-void flatten_parts(TriMesh const& mesh, std::vector<std::uint32_t> faces, std::vector<float> const& lengths, FlatChart& chart) {
+void flatten_parts(TriMesh const& mesh, std::vector<std::uint32_t> faces, std::vector<float> const& lengths,
+                   FlatChart& chart) {
   TriMesh const disk = submesh(mesh, faces);
   FlatDisk flat = flatten(disk);
   if (faces.size() > 1 && !lies_flat(flat, kBearable)) {

@@ -24,21 +24,22 @@ struct ParameterizeOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.unfolding, Field{"unfolding", "", "how charts are laid flat: keeping angles; keeping sizes; or with more texels where colours vary"});
+    visit(self.unfolding,
+          Field{"unfolding", "",
+                "how charts are laid flat: keeping angles; keeping sizes; or with more texels where colours vary"});
   }
 };
 
 /// Flattens each chart with least-squares conformal maps, and relaxes these where that is asked for.
 /// Source: Levy et al. 2002, "Least Squares Conformal Maps", section 3; pins: the two farthest boundary vertices.
-/// In:     f faces, chart id per face; each chart a topological disk. `lengths`: empty, the map stays conformal; else per
-///         face the length that a length on it is to have on the map, see relax.h. A relaxed map that would fold or
+/// In:     f faces, chart id per face; each chart a topological disk. `lengths`: empty, the map stays conformal; else
+///         per face the length that a length on it is to have on the map, see relax.h. A relaxed map that would fold or
 ///         overlap is not taken.
-/// Out:    uv f x 3 x 2, chart-local, model units, each chart's area equal to its area in space, by `lengths` where there
-///         are any; no chart is mirrored:
-///         on the image (v down) front faces are counter-clockwise. No flipped triangle and no overlap within a chart
-///         (the map alone does not promise that: a chart that folds, overlaps or starves part of itself of texels is
-///         split and retried, so c may grow; a single face always lies flat). Never NaN; faces without area are
-///         slivers.
+/// Out:    uv f x 3 x 2, chart-local, model units, each chart's area equal to its area in space, by `lengths` where
+///         there are any; no chart is mirrored: on the image (v down) front faces are counter-clockwise. No flipped
+///         triangle and no overlap within a chart (the map alone does not promise that: a chart that folds, overlaps or
+///         starves part of itself of texels is split and retried, so c may grow; a single face always lies flat). Never
+///         NaN; faces without area are slivers.
 /// Errors: InvalidInput, naming the chart, if it is no disk.
 /// Cost:   O(n) memory, one sparse factorisation per chart; charts run in parallel.
 FlatCharts parameterize(ChartedMesh const& charts, std::vector<float> const& lengths = {});

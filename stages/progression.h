@@ -35,7 +35,7 @@ class Progression {
   float error_ = 0;                  ///< of mesh_
   std::vector<CollapseStep> steps_;  ///< in mesh_'s vertices
   std::vector<std::uint32_t> went_;  ///< per face of mesh_: the step that took it, or kStays
-  StopReason stop_{};                 ///< where the steps end
+  StopReason stop_{};                ///< where the steps end
 };
 
 }  // namespace vitrine

@@ -57,7 +57,8 @@ class GridCodes {
   std::array<AxisCodes, 3> axes_;
 };
 
-/// The grid of the smallest axis-aligned cube about the mesh that begins at its bounding box's corner. No uv or normal bits.
+/// The grid of the smallest axis-aligned cube about the mesh that begins at its bounding box's corner. No uv or normal
+/// bits.
 /// Errors: NoSolution when the mesh is but a point.
 Grid cube_about(TriMesh const& mesh, int position_bits);
 

@@ -109,9 +109,10 @@ struct RayScene::Impl {
  private:
   void build() {
     std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> made{rtcNewScene(device()), rtcReleaseScene};
-    rtcSetSceneFlags(made.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
-                                                            (mesh.triangles.size() >= kCompactFaces ? RTC_SCENE_FLAG_COMPACT
-                                                                                                    : RTC_SCENE_FLAG_NONE)));
+    rtcSetSceneFlags(made.get(),
+                     static_cast<RTCSceneFlags>(
+                         RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
+                         (mesh.triangles.size() >= kCompactFaces ? RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_NONE)));
     RTCGeometry const geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
     // Embree reads 4 bytes past the last vertex: it gets a copy with room for that.
     void* const vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(V3f),

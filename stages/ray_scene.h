@@ -24,9 +24,10 @@ struct Ray {
   V3f side{0, 0, 0};  ///< if not zero, faces whose normal makes no acute angle with it let the ray pass
 };
 
-/// Immutable after construction; queries may come from any thread, and the first one makes the tree. Equal queries give equal answers at any thread
-/// count, also where rays meet edges, vertices or faces that coincide: Embree puts what its threads have parted back
-/// into order. The instruction set is pinned to AVX2, so that machines agree. The mesh must outlive the scene.
+/// Immutable after construction; queries may come from any thread, and the first one makes the tree. Equal queries give
+/// equal answers at any thread count, also where rays meet edges, vertices or faces that coincide: Embree puts what its
+/// threads have parted back into order. The instruction set is pinned to AVX2, so that machines agree. The mesh must
+/// outlive the scene.
 ///
 /// Errors: LimitExceeded, by the first query, when memory does not suffice; Unsupported without AVX2.
 class RayScene {

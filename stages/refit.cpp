@@ -44,7 +44,11 @@ void put_turned_back(TriMesh& mesh, TriMesh const& before, std::vector<V3f> cons
 class Rounding {
  public:
   Rounding(TriMesh const& mesh, Grid const& grid, FitEnergy const& energy)
-      : mesh_(mesh), grid_(grid), energy_(energy), moves_(mesh.positions.size()), step_(double(grid.range) / grid_.last()) {
+      : mesh_(mesh),
+        grid_(grid),
+        energy_(energy),
+        moves_(mesh.positions.size()),
+        step_(double(grid.range) / grid_.last()) {
     for (std::size_t v = 0; v < moves_.size(); ++v) {
       codes_.push_back(grid_.code(mesh.positions[v]));
       moves_[v] = move_to(v, codes_[v]);

@@ -8,16 +8,16 @@
 namespace vitrine {
 
 struct RefitOptions {
-  double facet_weight = 1;    ///< of the faces' slopes; best for flat faces of any size; 0: places alone
-  int iterations = 2;         ///< each matches the samples anew
+  double facet_weight = 1;  ///< of the faces' slopes; best for flat faces of any size; 0: places alone
+  int iterations = 2;       ///< each matches the samples anew
 };
 
 /// Out:    the same faces. None has turned by 60 degrees or lost its area: where one would, its corners stay
 ///         where they were. Edges of more than two faces hardly move.
 /// Source: Hoppe et al. 1993, "Mesh Optimization", section 4: the least squares of projected points; the outline's and
 ///         the facets' terms are ours.
-/// Cost:   that of FitEnergy an iteration; an eighth of a CPU second for 250,000 samples on 6,000 faces. Sixteen samples
-///         a face lose 3 to 6 % of image error against forty.
+/// Cost:   that of FitEnergy an iteration; an eighth of a CPU second for 250,000 samples on 6,000 faces. Sixteen
+///         samples a face lose 3 to 6 % of image error against forty.
 TriMesh refit(TriMesh const& mesh, SurfaceSamples const& samples, RefitOptions const& options = {});
 
 /// Puts the vertices on a grid: each on the nearest place, then, as long as that brings the mesh closer to the

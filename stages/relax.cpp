@@ -69,7 +69,8 @@ class Relaxation {
     Eigen::MatrixX2d const solution = solver_.solve(right);
     if (!solution.allFinite()) return false;
     map[0] = 0;
-    for (std::size_t v = 1; v < map.size(); ++v) map[v] = {solution(Eigen::Index(v) - 1, 0), solution(Eigen::Index(v) - 1, 1)};
+    for (std::size_t v = 1; v < map.size(); ++v)
+      map[v] = {solution(Eigen::Index(v) - 1, 0), solution(Eigen::Index(v) - 1, 1)};
     return true;
   }
 

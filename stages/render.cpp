@@ -70,12 +70,13 @@ class Painter {
   void draw_faces(DepthBuffer const& buffer, Image& picture) const {
     if (buffer.right() < buffer.left() || buffer.bottom() < buffer.top()) return;
     int const side = block_ * options_.supersample, top = buffer.top() / side, left = buffer.left() / side;
-    parallel_blocks(std::size_t(buffer.bottom() / side - top + 1), std::size_t(16 / block_), [&](std::size_t begin, std::size_t end) {
+    auto const draw_rows = [&](std::size_t begin, std::size_t end) {
       SeenFaces faces(model_.surface, lens_.eye);
       for (int row = top + int(begin); row < top + int(end); ++row)
         for (int column = left; column <= buffer.right() / side; ++column)
           draw_block(picture, column * block_, row * block_, buffer, faces);
-    });
+    };
+    parallel_blocks(std::size_t(buffer.bottom() / side - top + 1), std::size_t(16 / block_), draw_rows);
   }
 
   /// Pixels are the means of their samples.
@@ -134,7 +135,8 @@ class Painter {
         continue;
       }
       last = seen[i];
-      if (!options_.grey || model_.model->materials.size() > 1) faces.set_colours(rays.count - 1, model_.surface.facet(last));
+      if (!options_.grey || model_.model->materials.size() > 1)
+        faces.set_colours(rays.count - 1, model_.surface.facet(last));
       faces.set_shape(rays.count - 1, *model_.model, last, lens_.eye);
     }
     block.covered = rays.count;
@@ -193,10 +195,17 @@ class Painter {
     if (options_.grey)
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < at.count; ++i) {
-          float const share = options_.occlusion != Occlusion::colour ? 1 : own_share ? surface.colour[k][i] : surface.occlusion[i];
+          float const share = options_.occlusion != Occlusion::colour ? 1
+                              : own_share                             ? surface.colour[k][i]
+                                                                      : surface.occlusion[i];
           surface.colour[k][i] = kGrey * share;
         }
     if (options_.occlusion != Occlusion::occlusion) surface.occlusion.fill(1);
+  }
+
+  /// Through a sample.
+  Ray ray(int column, int row) const {
+    return {lens_.eye, lens_.direction(float(column), float(row)), lens_.near, lens_.far};
   }
 
   /// Packets of rays, each for a square of pixels.
@@ -206,8 +215,7 @@ class Painter {
     parallel_for(rows, 8, [&](std::size_t row) {
       for (int left = 0, top = int(row) * tile; left < options_.size; left += tile) {
         std::array<Ray, RayScene::kPacket> rays;
-        for (int i = 0; i < int(rays.size()); ++i)
-          rays[i] = {lens_.eye, lens_.direction(float(left * n + i % side), float(top * n + i / side)), lens_.near, lens_.far};
+        for (int i = 0; i < int(rays.size()); ++i) rays[i] = ray(left * n + i % side, top * n + i / side);
         auto const hits = model_.scene.first_hits(rays);
         for (int y = top; y < std::min(top + tile, options_.size); ++y)
           for (int x = left; x < std::min(left + tile, options_.size); ++x) {
@@ -215,7 +223,8 @@ class Painter {
             std::array<int, 4> sums{};
             for (int i = 0; i < n * n; ++i) {
               std::size_t const ray = std::size_t(((y - top) * n + i / n) * side + (x - left) * n + i % n);
-              Texel const texel = hits[ray] ? layers({1, {float(n * x + i % n)}, {float(n * y + i / n)}}, rays[ray], *hits[ray], shading) : kNothing;
+              Rays const sight{1, {float(n * x + i % n)}, {float(n * y + i / n)}};
+              Texel const texel = hits[ray] ? layers(sight, rays[ray], *hits[ray], shading) : kNothing;
               for (std::size_t k = 0; k < 4; ++k) sums[k] += texel[k];
             }
             put(picture, x, y, sums);

@@ -45,7 +45,8 @@ std::uint64_t squares(Image const& a, Image const& b) {
 
 std::vector<double> row_elevations(int rows) {
   std::vector<double> elevations;
-  for (int r = 0; r < rows; ++r) elevations.push_back(rows == 1 ? kLowest : kLowest + (kHighest - kLowest) * r / (rows - 1));
+  for (int r = 0; r < rows; ++r)
+    elevations.push_back(rows == 1 ? kLowest : kLowest + (kHighest - kLowest) * r / (rows - 1));
   return elevations;
 }
 
@@ -94,8 +95,7 @@ Image sprite_sheet(std::vector<Image> const& frames, int columns) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     std::uint8_t* const corner =
         &sheet.texels[i / std::size_t(columns) * std::size_t(side) * line + i % std::size_t(columns) * row];
-    for (std::size_t y = 0; y < std::size_t(side); ++y)
-      std::copy_n(&frames[i].texels[y * row], row, corner + y * line);
+    for (std::size_t y = 0; y < std::size_t(side); ++y) std::copy_n(&frames[i].texels[y * row], row, corner + y * line);
   }
   return sheet;
 }

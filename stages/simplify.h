@@ -27,8 +27,10 @@ struct SimplifyOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.triangles, Field{"triangles", "triangles", "simplify each model to at most this many; 0: the search decides", 0, 1e6});
-    visit(self.max_error, Field{"stop-at-error", "box diagonals", "stop before a collapse moves the surface farther than this", 0, 1});
+    visit(self.triangles,
+          Field{"triangles", "triangles", "simplify each model to at most this many; 0: the search decides", 0, 1e6});
+    visit(self.max_error,
+          Field{"stop-at-error", "box diagonals", "stop before a collapse moves the surface farther than this", 0, 1});
     visit(self.decimator,
           Field{"decimator", "", "edge collapse: our own with optimal placement, or OpenMesh's as in the paper"});
   }
@@ -47,9 +49,9 @@ struct VertexColours {
 ///         perpendicular planes; topology kept while that reaches the target, and where it is manifold; the mesh is
 ///         compact (no unused vertex) and not empty.
 /// Errors: none beyond std::bad_alloc: what cannot be collapsed stays, and `stop` says so.
-/// Cost:   near O(n): some 110 bytes per face; 0.6 to 1 million faces a second on one core. OpenMesh: a twentieth of that,
-///         and quadratic in the faces around one vertex.
-///         With colours, which our own decimator alone heeds, twice that, and `error` holds the colours' part too.
+/// Cost:   near O(n): some 110 bytes per face; 0.6 to 1 million faces a second on one core. OpenMesh: a twentieth of
+///         that, and quadratic in the faces around one vertex. With colours, which our own decimator alone heeds, twice
+///         that, and `error` holds the colours' part too.
 SimplifiedMesh simplify(TriMesh const& mesh, SimplifyOptions const& options = {}, VertexColours const& colours = {});
 
 }  // namespace vitrine

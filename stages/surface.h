@@ -30,13 +30,13 @@ struct SurfaceLanes {
 struct Facet {
   std::uint32_t face = 0xffffffffu;
   Material const* material = nullptr;
-  std::array<V3f, 3> corners{};      ///< places of all three
-  V3f across{0, 0, 0};               ///< perpendicular, by the winding; as long as twice the area
-  bool smooth = false;               ///< else the first normal is unit, and that of the whole face
-  bool mapped = false;               ///< by any texture
+  std::array<V3f, 3> corners{};  ///< places of all three
+  V3f across{0, 0, 0};           ///< perpendicular, by the winding; as long as twice the area
+  bool smooth = false;           ///< else the first normal is unit, and that of the whole face
+  bool mapped = false;           ///< by any texture
   std::array<V3f, 3> normals{V3f(0), V3f(0), V3f(0)};
-  std::array<Rgba, 3> colours{};     ///< material's factor x vertex colour
-  CornerUvs colour_uvs, normal_uvs;  ///< of these maps, where there are any; places of all three
+  std::array<Rgba, 3> colours{};                        ///< material's factor x vertex colour
+  CornerUvs colour_uvs, normal_uvs;                     ///< of these maps, where there are any; places of all three
   std::array<V4f, 3> tangents{V4f(0), V4f(0), V4f(0)};  ///< where there is a normal map
 };
 
@@ -53,8 +53,8 @@ class Surface {
   SurfaceSample sample(Hit const& hit, float footprint) const;
 
   Facet facet(std::uint32_t face) const;
-  /// As clients draw it: textures are read from the level in which the longer of the two steps to a neighbouring pixel is
-  /// a texel (OpenGL's trilinear filter). Steps count only on mapped facets.
+  /// As clients draw it: textures are read from the level in which the longer of the two steps to a neighbouring pixel
+  /// is a texel (OpenGL's trilinear filter). Steps count only on mapped facets.
   void sample(Facet const& facet, Places const& at, SurfaceLanes& samples) const;
 
   bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials

@@ -18,12 +18,12 @@ struct SurfaceSamples {
   };
 
   std::vector<V3f> points;
-  std::vector<V3f> normals;      ///< unit, of the faces
-  std::vector<V3f> shading;      ///< unit, as drawn: interpolated, normal map applied
-  std::vector<V4f> colours;      ///< sRGB in [0,1], and coverage; none if the original has but one colour
-  std::vector<V3f> outline;      ///< on open edges
-  std::vector<OnRidge> ridges;   ///< on edges where the surface turns away by 60 degrees or more; 180 count once
-  float radius = 0;              ///< half the diagonal of the original's bounding box
+  std::vector<V3f> normals;     ///< unit, of the faces
+  std::vector<V3f> shading;     ///< unit, as drawn: interpolated, normal map applied
+  std::vector<V4f> colours;     ///< sRGB in [0,1], and coverage; none if the original has but one colour
+  std::vector<V3f> outline;     ///< on open edges
+  std::vector<OnRidge> ridges;  ///< on edges where the surface turns away by 60 degrees or more; 180 count once
+  float radius = 0;             ///< half the diagonal of the original's bounding box
 };
 
 /// Places in equal steps of area along the list of faces; inside the faces the sequence of Roberts 2018, "The

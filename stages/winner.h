@@ -13,6 +13,7 @@ namespace vitrine {
 inline bool are_smaller(Trial const& a, Trial const& b) { return a.bytes < b.bytes; }
 
 /// Index of the best trial that keeps within the limits.
-std::optional<std::size_t> best_within(Subject const& subject, FitOptions const& options, std::span<Trial const> history);
+std::optional<std::size_t> best_within(Subject const& subject, FitOptions const& options,
+                                       std::span<Trial const> history);
 
 }  // namespace vitrine

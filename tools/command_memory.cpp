@@ -24,8 +24,8 @@ std::string contents(fs::path const& path) {
 
 bool parse_time(std::string const& text, int& hour, int& minute) {
   char rest = 0;
-  return text.size() == 5 && std::sscanf(text.c_str(), "%2d:%2d%c", &hour, &minute, &rest) == 2 && hour >= 0 && hour < 24 &&
-         minute >= 0 && minute < 60;
+  return text.size() == 5 && std::sscanf(text.c_str(), "%2d:%2d%c", &hour, &minute, &rest) == 2 && hour >= 0 &&
+         hour < 24 && minute >= 0 && minute < 60;
 }
 
 }  // namespace
@@ -49,7 +49,8 @@ Remembered remembered_command(fs::path const& gallery) try {
   nlohmann::json const json = nlohmann::json::from_cbor(contents(memory(gallery)));
   return {json.at("arguments"), json.at("folder").get<std::string>()};
 } catch (nlohmann::json::exception const&) {
-  throw Error(ErrorKind::invalid_input, "no command is remembered in " + gallery.string(), "run vitrine convert, as at first");
+  throw Error(ErrorKind::invalid_input, "no command is remembered in " + gallery.string(),
+              "run vitrine convert, as at first");
 }
 
 std::string check_time(std::string const& text) {

@@ -82,7 +82,8 @@ void publish_reports(ConvertCommand const& command, graph::Night const& night, g
   fs::path const& gallery = command.run.gallery;
   std::vector<graph::ModelRow> const rows = night.rows();
   std::string const archive = fs::absolute(command.archive).lexically_normal();
-  nlohmann::ordered_json report = graph::report_json(rows, archive, graph::options_json(command.model), summary.seconds);
+  nlohmann::ordered_json report =
+      graph::report_json(rows, archive, graph::options_json(command.model), summary.seconds);
   report["run"] = graph::run_json(summary);
   nlohmann::ordered_json shown = graph::gallery_json(rows);
   shown["page"] = page_weight(gallery, rows, command.model.encode.profile, page_sizes());
@@ -109,14 +110,19 @@ int exit_code(graph::Night const& night, graph::GuardReport const& report) {
     case graph::Ending::complete:
       if (!found) return kFatal;
       break;
-    case graph::Ending::interrupted: return found && night.complete() ? kComplete : kInterrupted;
-    case graph::Ending::disk: return kDiskFull;
-    case graph::Ending::machine: return kMachine;
-    case graph::Ending::refused: return kFatal;
+    case graph::Ending::interrupted:
+      return found && night.complete() ? kComplete : kInterrupted;
+    case graph::Ending::disk:
+      return kDiskFull;
+    case graph::Ending::machine:
+      return kMachine;
+    case graph::Ending::refused:
+      return kFatal;
   }
   int code = kComplete;
   for (graph::ModelRow const& row : night.rows())
-    if (row.status != "done") code = std::max(code, row.failure.cause == graph::Cause::machine ? kMachine : kSomeFailed);
+    if (row.status != "done")
+      code = std::max(code, row.failure.cause == graph::Cause::machine ? kMachine : kSomeFailed);
   return code;
 }
 

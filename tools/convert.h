@@ -16,12 +16,12 @@ struct ConvertCommand {
   io::ArchiveOptions reading;
   graph::ModelOptions model;
   graph::RunOptions run;
-  bool verify = false;      ///< look at all bytes, of originals and of thumbnails, not only at times of change
-  bool dry_run = false;     ///< say what would be done
-  bool prune = false;       ///< remove folders of models that are no longer in the archive
+  bool verify = false;   ///< look at all bytes, of originals and of thumbnails, not only at times of change
+  bool dry_run = false;  ///< say what would be done
+  bool prune = false;    ///< remove folders of models that are no longer in the archive
   graph::Retry retry = graph::Retry::nothing;
-  double stall_limit = 0;   ///< seconds; 0: by each model's size
-  std::string stop_at;      ///< HH:MM; "": never
+  double stall_limit = 0;  ///< seconds; 0: by each model's size
+  std::string stop_at;     ///< HH:MM; "": never
   std::filesystem::path log;
 };
 

@@ -23,13 +23,21 @@ std::string gigabytes(std::uint64_t bytes) { return fmt::format("{:.2f} GB", dou
 
 std::string limit(Occupancy const& o) {
   switch (graph::bound(o)) {
-    case Bound::nothing: return "bound by nothing";
-    case Bound::cores: return "bound by the cores";
-    case Bound::memory: return "bound by memory, of which --memory allows " + gigabytes(o.allowed);
-    case Bound::reading: return fmt::format("bound by reading, {} at {:.0f} MB/s", gigabytes(o.disk_bytes), double(o.disk_bytes) / 1e6 / o.seconds);
-    case Bound::writing: return "bound by writing to the gallery";
-    case Bound::ending: return "bound by its last models";
-    case Bound::within: return "bound by steps that no other core could share";
+    case Bound::nothing:
+      return "bound by nothing";
+    case Bound::cores:
+      return "bound by the cores";
+    case Bound::memory:
+      return "bound by memory, of which --memory allows " + gigabytes(o.allowed);
+    case Bound::reading:
+      return fmt::format("bound by reading, {} at {:.0f} MB/s", gigabytes(o.disk_bytes),
+                         double(o.disk_bytes) / 1e6 / o.seconds);
+    case Bound::writing:
+      return "bound by writing to the gallery";
+    case Bound::ending:
+      return "bound by its last models";
+    case Bound::within:
+      return "bound by steps that no other core could share";
   }
   return "";
 }
@@ -45,7 +53,8 @@ std::string idle_words(Occupancy const& o) {
   std::string words;
   for (auto const& [seconds, why] : reasons) {
     all += seconds;
-    if (seconds / o.available >= 0.005) words += (words.empty() ? "" : ", ") + percent(seconds / o.available) + " " + why;
+    if (seconds / o.available >= 0.005)
+      words += (words.empty() ? "" : ", ") + percent(seconds / o.available) + " " + why;
   }
   return percent(all / o.available) + " idle" + (words.empty() ? "" : " (" + words + ")");
 }
@@ -60,7 +69,8 @@ std::string cores_words(Occupancy const& o) {
 }
 
 std::string memory_words(Occupancy const& o) {
-  return fmt::format("memory: at most {} held, where {} were estimated; {} allowed", gigabytes(o.peak), gigabytes(o.admitted), gigabytes(o.allowed));
+  return fmt::format("memory: at most {} held, where {} were estimated; {} allowed", gigabytes(o.peak),
+                     gigabytes(o.admitted), gigabytes(o.allowed));
 }
 
 std::string stages_words(std::vector<StageProfile> stages) {
@@ -77,7 +87,8 @@ std::string stages_words(std::vector<StageProfile> stages) {
 std::string stages_html(std::vector<StageProfile> const& stages) {
   if (stages.empty()) return "";
   std::string out = "<h2>Stages</h2>\n<table><tr><th>Stage</th>";
-  for (char const* title : {"Models", "Time", "Share", "Waiting", "Peak memory"}) out += fmt::format("<th class=\"number\">{}</th>", title);
+  for (char const* title : {"Models", "Time", "Share", "Waiting", "Peak memory"})
+    out += fmt::format("<th class=\"number\">{}</th>", title);
   out += "</tr>\n";
   for (StageProfile const& s : stages) {
     out += "<tr><td>" + report::html(s.stage) + "</td>";
@@ -86,8 +97,9 @@ std::string stages_html(std::vector<StageProfile> const& stages) {
       out += "<td class=\"number\">" + cell + "</td>";
     out += "</tr>\n";
   }
-  return out + "</table>\n<p class=\"quiet\">Of what this run converted. Waiting: of models for their stage. "
-               "Peak memory: of the whole program while the stage ran for any model.</p>\n";
+  return out +
+         "</table>\n<p class=\"quiet\">Of what this run converted. Waiting: of models for their stage. "
+         "Peak memory: of the whole program while the stage ran for any model.</p>\n";
 }
 
 }  // namespace vitrine::tools

@@ -10,7 +10,8 @@
 
 namespace vitrine::tools {
 
-/// "bound by the cores: 97 % computing, 2 % idle (1 % no further model to begin, 1 % writing), 1 % taken by other programs"
+/// "bound by the cores: 97 % computing, 2 % idle (1 % no further model to begin, 1 % writing), 1 % taken by other
+/// programs"
 std::string cores_words(graph::Occupancy const& occupancy);
 
 /// "memory: at most 1.81 GB held, where 2.10 GB were estimated; 18.94 GB allowed"

@@ -96,12 +96,9 @@ Json camera_json(Camera const& camera, V3d const& target) {
 
 Json measure_json(Reference const& reference, Comparison const& comparison) {
   MeasureOptions const& options = reference.options;
-  Json measure = {{"set", shown(options.views)},
-                  {"views", options.count},
-                  {"size", options.size},
-                  {"supersample", options.supersample},
-                  {"light", shown(options.light)},
-                  {"ao", shown(options.occlusion)}};
+  Json measure = {{"set", shown(options.views)},   {"views", options.count},
+                  {"size", options.size},          {"supersample", options.supersample},
+                  {"light", shown(options.light)}, {"ao", shown(options.occlusion)}};
   measure.update(to_json(comparison.mean));
   measure["psnrOfMeanMse"] = comparison.psnr_of_mean_mse;
   measure["worstMse1e4"] = comparison.views[comparison.worst].mse1e4;

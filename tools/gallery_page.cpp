@@ -30,9 +30,10 @@ std::string credit(ModelRow const& row) {
 
 std::string figure(ModelRow const& row) {
   std::string const name = report::html(row.title), by = report::html(credit(row));
-  return fmt::format("<figure><img src=\"{}\" alt=\"{}\" width=\"200\" height=\"200\" loading=\"lazy\"><figcaption>{}{}{}"
-                     "</figcaption></figure>\n",
-                     report::html(row.poster), name, name, by.empty() ? "" : "<br>", by);
+  return fmt::format(
+      "<figure><img src=\"{}\" alt=\"{}\" width=\"200\" height=\"200\" loading=\"lazy\"><figcaption>{}{}{}"
+      "</figcaption></figure>\n",
+      report::html(row.poster), name, name, by.empty() ? "" : "<br>", by);
 }
 
 /// Bytes of all objects as series, by coding and number of frames.
@@ -78,7 +79,8 @@ void publish_page(fs::path const& gallery, std::vector<ModelRow> const& rows, bo
     if (name == "index.html" || (!x3dom && *name.begin() == "x3dom")) continue;
     io::publish_file(gallery / "viewer" / name, io::map_file(entry.path()).bytes);
   }
-  io::publish_file(gallery / "index.html", with_posters(std::string(io::text(io::map_file(page / "index.html"))), rows));
+  io::publish_file(gallery / "index.html",
+                   with_posters(std::string(io::text(io::map_file(page / "index.html"))), rows));
 }
 
 Json page_sizes() {
@@ -100,7 +102,8 @@ Json page_weight(fs::path const& gallery, std::vector<ModelRow> const& rows, Pro
   Json out = Json::object();
   if (sizes.contains("viewer")) out["viewer"] = sizes["viewer"];
   auto const decoder = std::string(EnumNames<Profile>::names[std::size_t(profile)]);
-  if (Json const decoders = sizes.value("decoders", Json::object()); decoders.contains(decoder)) out["decoder"] = decoders[decoder];
+  if (Json const decoders = sizes.value("decoders", Json::object()); decoders.contains(decoder))
+    out["decoder"] = decoders[decoder];
   out.update({{"objects", objects}, {"thumbnails", thumbnails}, {"posters", posters}, {"series", series_weight(rows)}});
   return out;
 }

@@ -12,9 +12,8 @@ void add_model_flags(CLI::App& app, graph::ModelOptions& options) {
   app.add_option_function<graph::Preset>("--preset", take, "choices that belong together; further flags win over them")
       ->transform(CLI::CheckedTransformer(names<graph::Preset>()).description(""))
       ->type_name(choices<graph::Preset>());
-  graph::option_groups(options, [&](std::string const& group, auto& of_group) {
-    of_group.fields(of_group, AddFlags(app, group));
-  });
+  graph::option_groups(
+      options, [&](std::string const& group, auto& of_group) { of_group.fields(of_group, AddFlags(app, group)); });
 }
 
 }  // namespace vitrine::tools

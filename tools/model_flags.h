@@ -8,7 +8,8 @@
 
 namespace vitrine::tools {
 
-/// Adds --preset and a flag for each field of each group. Flags that are given win over the preset, wherever they stand.
+/// Adds --preset and a flag for each field of each group. Flags that are given win over the preset, wherever they
+/// stand.
 void add_model_flags(CLI::App& app, graph::ModelOptions& options);
 
 }  // namespace vitrine::tools

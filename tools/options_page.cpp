@@ -65,8 +65,9 @@ std::string options_page() {
       page += fmt::format("| `--{}` | {} | {} | {} |\n", field.flag, shown(value), allowed<T>(field), field.help);
     });
   });
-  page += "\n## Presets\n\n`--preset` sets several options at once; flags that are given beside it win.\n\n"
-          "| preset | the same as |\n|---|---|\n";
+  page +=
+      "\n## Presets\n\n`--preset` sets several options at once; flags that are given beside it win.\n\n"
+      "| preset | the same as |\n|---|---|\n";
   for (std::size_t i = 0; i < EnumNames<graph::Preset>::names.size(); ++i)
     page += preset_row(static_cast<graph::Preset>(i));
   return page;

@@ -24,8 +24,8 @@ fs::path plain_path(Json const& object) {
   return fs::path(object.at("thumb").get<std::string>()).replace_filename("plain.glb");
 }
 
-/// All objects as plain files; none where these weigh more than `spared` bytes above what there is, or a thumbnail is damaged:
-/// that is for others to tell.
+/// All objects as plain files; none where these weigh more than `spared` bytes above what there is, or a thumbnail is
+/// damaged: that is for others to tell.
 Files cheaper_files(fs::path const& gallery, Json const& objects, std::size_t spared) try {
   Files files;
   std::size_t plain = 0, coded = 0;

@@ -27,7 +27,9 @@ double pace(Rehearsal const& rehearsal, graph::Work const& work) {
 }
 
 std::string time(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+  return seconds < 90     ? fmt::format("{:.0f} s", seconds)
+         : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60)
+                          : fmt::format("{:.1f} h", seconds / 3600);
 }
 
 }  // namespace
@@ -44,15 +46,21 @@ std::string rehearsal_text(Rehearsal const& rehearsal, graph::Work const& work) 
     bytes += entry.bytes;
     largest = std::max(largest, entry.estimate.memory);
   }
-  auto const known = std::count_if(rehearsal.fresh.begin(), rehearsal.fresh.end(), [](auto const& r) { return r.row.status != "done"; });
+  auto const known = std::count_if(rehearsal.fresh.begin(), rehearsal.fresh.end(),
+                                   [](auto const& r) { return r.row.status != "done"; });
   std::uint64_t const memory = work.run.memory ? work.run.memory : graph::default_memory();
-  unsigned const threads = work.run.threads > 0 ? unsigned(work.run.threads) : std::max(1u, std::thread::hardware_concurrency());
-  text += fmt::format("{} of {} models would be converted, {} are up to date, {} are known to fail\n", rehearsal.todo.size(),
-                      rehearsal.archive.entries.size(), rehearsal.fresh.size() - std::size_t(known), known);
+  unsigned const threads =
+      work.run.threads > 0 ? unsigned(work.run.threads) : std::max(1u, std::thread::hardware_concurrency());
+  text += fmt::format("{} of {} models would be converted, {} are up to date, {} are known to fail\n",
+                      rehearsal.todo.size(), rehearsal.archive.entries.size(),
+                      rehearsal.fresh.size() - std::size_t(known), known);
   if (rehearsal.todo.empty()) return text;
-  return text + fmt::format("about {} on {} cores; {:.1f} MB to read; up to {:.1f} MB to write; the largest model takes an estimated {:.2f} of {:.2f} GB\n",
-                            time(cost * pace(rehearsal, work) / threads), threads, double(bytes) / 1e6,
-                            double(rehearsal.todo.size()) * work.model.fit.max_kb / 1000, double(largest) / 1e9, double(memory) / 1e9);
+  return text + fmt::format(
+                    "about {} on {} cores; {:.1f} MB to read; up to {:.1f} MB to write; the largest model takes an "
+                    "estimated {:.2f} of {:.2f} GB\n",
+                    time(cost * pace(rehearsal, work) / threads), threads, double(bytes) / 1e6,
+                    double(rehearsal.todo.size()) * work.model.fit.max_kb / 1000, double(largest) / 1e9,
+                    double(memory) / 1e9);
 }
 
 }  // namespace vitrine::tools

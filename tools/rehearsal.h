@@ -16,8 +16,8 @@ struct Rehearsal {
   std::map<std::string, std::string> todo;  ///< by slug, why
 };
 
-/// Each model that would be converted and why; then their number, time, bytes and memory. The time follows from how long the
-/// gallery's other models took; without any, from what a model of that size takes in general.
+/// Each model that would be converted and why; then their number, time, bytes and memory. The time follows from how
+/// long the gallery's other models took; without any, from what a model of that size takes in general.
 std::string rehearsal_text(Rehearsal const& rehearsal, graph::Work const& work);
 
 }  // namespace vitrine::tools

@@ -47,8 +47,7 @@ std::vector<fs::path> chosen(std::vector<fs::path> const& files, graph::SeriesOp
   std::size_t const rows = std::size_t(options.rows), frames = std::size_t(options.frames);
   std::size_t const row = files.size() / rows;
   if (frames == 0 || files.size() % rows != 0 || row % frames != 0)
-    throw Error(ErrorKind::invalid_input,
-                fmt::format("{} pictures are no {} x {} frames", files.size(), rows, frames),
+    throw Error(ErrorKind::invalid_input, fmt::format("{} pictures are no {} x {} frames", files.size(), rows, frames),
                 "supply a multiple of --rows x --frames pictures");
   std::vector<fs::path> result;
   for (std::size_t r = 0; r < rows; ++r)
@@ -81,7 +80,8 @@ graph::SeriesFiles of_model(SeriesCommand const& command) {
   return of_file(command.original, [&] {
     SourceModel source = read_file(command.original, command.read);
     if (command.up == io::UpAxis::z) io::turn_z_up(source);
-    SurveyedModel const original = survey(std::make_shared<SourceModel const>(clean(std::move(source)).model), occlusion_rays(command.measure));
+    SurveyedModel const original =
+        survey(std::make_shared<SourceModel const>(clean(std::move(source)).model), occlusion_rays(command.measure));
     Reference const made = reference(original, command.measure);
     graph::SeriesFiles files = graph::series_files(original, made, command.series);
     files.manifest["input"] = command.original.filename().string();

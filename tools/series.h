@@ -24,12 +24,13 @@ struct SeriesCommand {
   bool json = false;         ///< print series.json instead of a summary
 };
 
-/// The image series of the paper's table 2: so many views of 200 pixels, JPEG (whose usual quality is the paper's 90). What
-/// the user has `given` stays: it is asked for "--frames", "--rows", "--codec" and "--size".
+/// The image series of the paper's table 2: so many views of 200 pixels, JPEG (whose usual quality is the paper's 90).
+/// What the user has `given` stays: it is asked for "--frames", "--rows", "--codec" and "--size".
 void take_paper_series(SeriesCommand& command, int frames, std::function<bool(char const* flag)> const& given);
 
 /// Writes the series, prints what it weighs.
-/// Errors: those of the readers, naming the file; InvalidInput where the pictures are not enough or no picture is there.
+/// Errors: those of the readers, naming the file; InvalidInput where the pictures are not enough or no picture is
+///         there.
 int series(SeriesCommand const& command);
 
 /// The images of a folder by name, numbers in names by value: view-2 before view-10. Files that are no images, by their

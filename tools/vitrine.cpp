@@ -3,14 +3,14 @@
 // runs it.
 #include "stages/error.h"
 #include "tools/command_line.h"
+#include "tools/command_memory.h"
 #include "tools/convert.h"
 #include "tools/evaluate.h"
-#include "tools/command_memory.h"
 #include "tools/model_flags.h"
 #include "tools/night.h"
 #include "tools/report/report.h"
-#include "tools/serve.h"
 #include "tools/series.h"
+#include "tools/serve.h"
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -47,28 +47,35 @@ void add_machine(CLI::App& app, graph::RunOptions& run) {
 
 /// How a run goes on where another ended, and when it ends.
 void add_night(CLI::App& app, tools::ConvertCommand& command) {
-  app.add_flag("--dry-run", command.dry_run, "say what would be done, how long it may take, and write nothing")->group("Night");
+  app.add_flag("--dry-run", command.dry_run, "say what would be done, how long it may take, and write nothing")
+      ->group("Night");
   app.add_flag("--verify", command.verify,
                "hash every original and every thumbnail again, instead of trusting the file system's times of change")
       ->group("Night");
-  std::map<std::string, graph::Retry> const retries{{"failed", graph::Retry::failed}, {"quarantined", graph::Retry::quarantined}};
-  app.add_option("--retry", command.retry, "try failures again though nothing has changed; quarantined: those models, too")
+  std::map<std::string, graph::Retry> const retries{{"failed", graph::Retry::failed},
+                                                    {"quarantined", graph::Retry::quarantined}};
+  app.add_option("--retry", command.retry,
+                 "try failures again though nothing has changed; quarantined: those models, too")
       ->transform(CLI::CheckedTransformer(retries).description(""))
       ->type_name("failed|quarantined")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeFirst)
       ->default_str("")
       ->group("Night");
-  app.add_flag("--prune", command.prune, "remove thumbnails of models that are no longer in the archive")->group("Night");
+  app.add_flag("--prune", command.prune, "remove thumbnails of models that are no longer in the archive")
+      ->group("Night");
   app.add_option("--stop-at", command.stop_at, "begin no model after this time of day; the same command goes on later")
       ->check(CLI::Validator(tools::check_time, "", ""))
       ->type_name("HH:MM")
       ->group("Night");
-  app.add_option("--stall-limit", command.stall_limit, "a model that stays in one stage for longer hangs (default: by its size, 300 or more)")
+  app.add_option("--stall-limit", command.stall_limit,
+                 "a model that stays in one stage for longer hangs (default: by its size, 300 or more)")
       ->check(CLI::Range(0.0, 1e6).description(""))
       ->type_name("SECONDS")
       ->default_str("")
       ->group("Night");
-  app.add_option("--log", command.log, "append everything that happens, as lines of JSON")->type_name("FILE")->group("Night");
+  app.add_option("--log", command.log, "append everything that happens, as lines of JSON")
+      ->type_name("FILE")
+      ->group("Night");
 }
 
 Verb convert_verb(CLI::App& app) {
@@ -86,7 +93,8 @@ Verb convert_verb(CLI::App& app) {
       ->type_name("GLOB");
   add_machine(app, command->run);
   add_night(app, *command);
-  app.add_option("--trace", command->run.trace, "write what each thread and model did when, for ui.perfetto.dev")->type_name("FILE.json");
+  app.add_option("--trace", command->run.trace, "write what each thread and model did when, for ui.perfetto.dev")
+      ->type_name("FILE.json");
   tools::add_model_flags(app, command->model);
   return [command] { return tools::convert(*command); };
 }
@@ -156,7 +164,8 @@ Verb report_verb(CLI::App& app) {
       ->check(CLI::Range(16, 8192).description(""))
       ->type_name("TEXELS,...")
       ->capture_default_str();
-  app.add_flag("--ablation", command->ablation, "convert once more without each choice of the search, and tell what that costs");
+  app.add_flag("--ablation", command->ablation,
+               "convert once more without each choice of the search, and tell what that costs");
   app.add_option("--archive", command->archive, "where the originals are, if they have moved since")
       ->check(CLI::ExistingDirectory);
   add_machine(app, command->run);

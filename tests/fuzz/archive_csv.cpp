@@ -16,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   try {
     io::Archive const archive = io::read_archive(folder.path());
     fuzz::require(archive.entries.size() == 2);
-    for (io::ArchiveEntry const& entry : archive.entries) fuzz::require(!entry.metadata.contains("path") && !entry.metadata.contains("up"));
+    for (io::ArchiveEntry const& entry : archive.entries)
+      fuzz::require(!entry.metadata.contains("path") && !entry.metadata.contains("up"));
   } catch (Error const& error) {
     fuzz::require(error.kind() == ErrorKind::invalid_input);
     fuzz::require(std::string(error.what()).find("archive.csv") != std::string::npos);

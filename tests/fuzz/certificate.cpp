@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // certificate.json of a gallery that somebody else made: read and reported on, or nothing.
-#include "graph/bounded_json.h"
 #include "graph/certificate.h"
+#include "graph/bounded_json.h"
 #include "tests/fuzz/reader.h"
 
 namespace {

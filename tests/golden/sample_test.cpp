@@ -45,9 +45,14 @@ double error(graph::ModelRow const& row) {
 
 /// Column by column.
 std::vector<double> figures(graph::ModelRow const& fixed, graph::ModelRow const& searched) {
-  return {double(fixed.triangles),      double(fixed.charts),       fixed.atlas_fill,
-          double(fixed.bytes.geometry), double(fixed.bytes.colour), double(fixed.bytes.normal),
-          double(searched.bytes.total), error(searched)};
+  return {double(fixed.triangles),
+          double(fixed.charts),
+          fixed.atlas_fill,
+          double(fixed.bytes.geometry),
+          double(fixed.bytes.colour),
+          double(fixed.bytes.normal),
+          double(searched.bytes.total),
+          error(searched)};
 }
 
 TEST(SampleArchive, BecomesWhatItDidBefore) {
@@ -55,7 +60,8 @@ TEST(SampleArchive, BecomesWhatItDidBefore) {
   for (sample::Object const& object : sample::objects())
     sample::write(folder.path() / "archive", object, std::string(object.name),
                   sample::scan(object.parts(kSeed), kTriangles, kSeed));
-  auto const fixed = convert_sample(folder.path(), fixed_counts()), searched = convert_sample(folder.path(), small_files());
+  auto const fixed = convert_sample(folder.path(), fixed_counts()),
+             searched = convert_sample(folder.path(), small_files());
   std::filesystem::path const golden = std::filesystem::path(VITRINE_SOURCE_DIR) / "tests/golden/sample.tsv";
   if (std::getenv("VITRINE_BLESS")) {
     std::string text = "input\ttriangles\tcharts\tfill\tgeometry\tcolour\tnormal\tsearched\terror\n";

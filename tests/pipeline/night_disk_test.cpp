@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fails around the models, disk and archive, is no model's fault: the run says so, and goes on once it is mended. With
-// VITRINE_NIGHT=full an error at each call of the system in turn.
+// What fails around the models, disk and archive, is no model's fault: the run says so, and goes on once it is mended.
+// With VITRINE_NIGHT=full an error at each call of the system in turn.
 #include "tests/support/night.h"
 
 #include <cstdlib>
@@ -23,8 +23,9 @@ TEST_F(Night, AnErrorOfTheDiskAtAnyCallLosesNoModel) {
     std::string error, name;
     int code;
   };
-  std::vector<Call> const calls = {{"enospc", "write", 5}, {"eio", "rename", 6},  {"eio", "open", 6},
-                                   {"enospc", "rename", 5}, {"enospc", "fsync", 5}, {"eio", "write", 6}, {"eio", "fsync", 6}};
+  std::vector<Call> const calls = {{"enospc", "write", 5},  {"eio", "rename", 6},   {"eio", "open", 6},
+                                   {"enospc", "rename", 5}, {"enospc", "fsync", 5}, {"eio", "write", 6},
+                                   {"eio", "fsync", 6}};
   for (std::size_t i = 0; i < std::size_t(times(3, int(calls.size()))); ++i)
     for (int n = 1, code = -1; code != 0; n += times(9, 1)) {
       std::string const fault = calls[i].error + "@" + calls[i].name + "#" + std::to_string(n);
@@ -40,7 +41,8 @@ TEST_F(Night, AnErrorOfTheDiskAtAnyCallLosesNoModel) {
 TEST_F(Night, AnArchiveThatCannotBeReadIsNoModelsFault) {
   add_good(2);
   auto const expected = undisturbed();
-  Outcome const outcome = run(convert("g"), {"VITRINE_FAULT=bus@load/good0.obj"});  // as a mapped file that cannot be read
+  Outcome const outcome =
+      run(convert("g"), {"VITRINE_FAULT=bus@load/good0.obj"});  // as a mapped file that cannot be read
   EXPECT_EQ(outcome.code, 6) << outcome.output;
   EXPECT_THAT(reasons("g")["good0.obj"], HasSubstr("could not be read to its end"));
   expect_recovery("g", expected);
@@ -60,13 +62,16 @@ class SmallDisk : public Night {
     if (elsewhere(mount()) != 0) GTEST_SKIP() << "no file system can be mounted here";
   }
   /// A run on a file system with this limit is told that the disk is full, and goes on when it has been enlarged.
-  void expect_stop_and_recovery(std::string const& limit, std::string const& enlarged, test::Arguments const& options = {}) const {
+  void expect_stop_and_recovery(std::string const& limit, std::string const& enlarged,
+                                test::Arguments const& options = {}) const {
     SCOPED_TRACE(limit);
     std::string command;
     for (std::string const& word : convert("small/g", options)) command += word + " ";
     std::string const gallery = at("small/g");
-    EXPECT_EQ(elsewhere(mount() + " -o " + limit + "; set +e; " + command + "; [ $? = 5 ] || exit 1; ls " + gallery + "/models | wc -l > " + at("reached").string() +
-                        "; mount -o remount," + enlarged + " " + at("small").string() + "; " + command + "; [ $? = 0 ] || exit 2; cp -r " + gallery + " " + at(limit).string()),
+    EXPECT_EQ(elsewhere(mount() + " -o " + limit + "; set +e; " + command + "; [ $? = 5 ] || exit 1; ls " + gallery +
+                        "/models | wc -l > " + at("reached").string() + "; mount -o remount," + enlarged + " " +
+                        at("small").string() + "; " + command + "; [ $? = 0 ] || exit 2; cp -r " + gallery + " " +
+                        at(limit).string()),
               0);
     EXPECT_THAT(test::differing(test::published(at(limit)), undisturbed(options)), testing::IsEmpty());
   }

@@ -72,13 +72,14 @@ TEST_F(Night, KilledAtAnyPointItGoesOn) {
   add_good(3);
   auto const expected = undisturbed();
   std::vector<std::string> const points = {
-      "guard:spawned", "reports:between", "rename#4",     "ledger:after#2", "worker:begin", "encode#2",     // in any run
-      "guard:buried",  "reports:before",  "ledger:before", "worker:end",     "load",         "survey",       // in full ones
-      "simplify",      "shape",           "segment",      "parameterize",   "pack",         "bake",         "weigh",
-      "certify",       "publish#2",       "write#3",      "fsync#5",        "renamed#6",    "renamed#9"};
+      "guard:spawned", "reports:between", "rename#4",      "ledger:after#2", "worker:begin", "encode#2",  // in any run
+      "guard:buried",  "reports:before",  "ledger:before", "worker:end",     "load",         "survey",  // in full ones
+      "simplify",      "shape",           "segment",       "parameterize",   "pack",         "bake",     "weigh",
+      "certify",       "publish#2",       "write#3",       "fsync#5",        "renamed#6",    "renamed#9"};
   for (std::size_t i = 0; i < std::size_t(times(6, int(points.size()))); ++i) {
     SCOPED_TRACE(points[i]);
-    std::string const gallery = "killed" + std::to_string(i), marks = at(gallery) / ".vitrine/marks";  // where a worker may write
+    std::string const gallery = "killed" + std::to_string(i),
+                      marks = at(gallery) / ".vitrine/marks";  // where a worker may write
     fs::create_directories(marks);
     run(convert(gallery), {"VITRINE_FAULT=kill@" + points[i], "VITRINE_FAULT_ONCE=" + marks});
     EXPECT_FALSE(fs::is_empty(marks)) << "no run comes to this point";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One bad model costs itself alone, whatever it does: crash, hang, eat the memory, lead elsewhere, or bear a name that is code.
+// One bad model costs itself alone, whatever it does: crash, hang, eat the memory, lead elsewhere, or bear a name that
+// is code.
 #include "tests/support/night.h"
 
 #include <sys/stat.h>
@@ -22,10 +23,10 @@ struct FaultModel {
 
 TEST_F(Night, AModelThatTakesTheProgramDownCostsItselfAlone) {
   std::vector<FaultModel> const models = {
-      {"segv@load", "SIGSEGV"},         {"abort@survey", "SIGABRT"},          {"overflow@simplify", "SIGSEGV"},
-      {"loop@bake", "no progress"},     {"sleep@load", "no progress"},        {"fork@load", "cannot start a process"},
-      {"alloc@survey", "out of memory"}, {"leak@load", "memory"},             {"exit@encode", "exit code 0"},
-      {"garble@result", "glTF"},        {"close@load", "closed"},             {"throw@pack", "unknown type"}};
+      {"segv@load", "SIGSEGV"},          {"abort@survey", "SIGABRT"},   {"overflow@simplify", "SIGSEGV"},
+      {"loop@bake", "no progress"},      {"sleep@load", "no progress"}, {"fork@load", "cannot start a process"},
+      {"alloc@survey", "out of memory"}, {"leak@load", "memory"},       {"exit@encode", "exit code 0"},
+      {"garble@result", "glTF"},         {"close@load", "closed"},      {"throw@pack", "unknown type"}};
   add_good(times(4, 100));
   auto const good = undisturbed();
   std::string faults = "VITRINE_FAULT=";
@@ -55,12 +56,15 @@ TEST_F(Night, AModelThatTakesTheProgramDownCostsItselfAlone) {
 TEST_F(Night, ReferencesLeadNowhereElse) {
   test::write_file(at("secret.png"), "not for you");
   test::write_file(at("secret.mtl"), "newmtl red\nKd 1 0 0\n");
-  std::vector<std::string> const references = {"../secret.png", at("secret.png"), "link.png", "http://localhost/secret.png",
-                                               "%2e%2e/secret.png", "pipe.png", "..\\secret.png", "file:secret.png"};
+  std::vector<std::string> const references = {
+      "../secret.png",     at("secret.png"), "link.png",       "http://localhost/secret.png",
+      "%2e%2e/secret.png", "pipe.png",       "..\\secret.png", "file:secret.png"};
   fs::create_directories(at("archive"));
   fs::create_symlink(at("secret.png"), at("archive") / "link.png");
   ASSERT_EQ(::mkfifo((at("archive") / "pipe.png").c_str(), 0600), 0);
-  std::string const shape = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 2/1 3/2 4/3\nf 3/1 1/2 4/3\n";
+  std::string const shape =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 2/1 3/2 4/3\nf 3/1 "
+      "1/2 4/3\n";
   for (std::size_t i = 0; i < references.size(); ++i) {
     std::string const name = "model" + std::to_string(i);
     test::write_file(at("archive") / (name + ".mtl"), "newmtl painted\nmap_Kd " + references[i] + "\n");
@@ -77,8 +81,10 @@ TEST_F(Night, ReferencesLeadNowhereElse) {
   EXPECT_EQ(rows.size(), references.size() + 1);
   EXPECT_THAT(test::read_file(at("g") / "report.html"), HasSubstr("leads out of the model&#39;s folder"));
   for (nlohmann::json const& row : rows) {
-    EXPECT_THAT(row["notes"].dump(), testing::AnyOf(HasSubstr("secret"), HasSubstr("link.png"), HasSubstr("pipe.png"))) << row["input"];
-    nlohmann::json const certificate = nlohmann::json::parse(test::read_file(at("g") / std::string(row["certificate"])));
+    EXPECT_THAT(row["notes"].dump(), testing::AnyOf(HasSubstr("secret"), HasSubstr("link.png"), HasSubstr("pipe.png")))
+        << row["input"];
+    nlohmann::json const certificate =
+        nlohmann::json::parse(test::read_file(at("g") / std::string(row["certificate"])));
     for (nlohmann::json const& file : certificate["input"]["dependencies"])
       if (std::string(file["path"]).find(".mtl") == std::string::npos || row["input"] == "library.obj") {
         EXPECT_TRUE(file["hash"].is_null()) << file["path"] << " was opened";
@@ -87,8 +93,18 @@ TEST_F(Night, ReferencesLeadNowhereElse) {
 }
 
 TEST_F(Night, NamesAreData) {
-  std::vector<std::string> const names = {"<script>alert(1)<\x1b[31m>", "\" onload=\"alert(1)", "=HYPERLINK(1)", "@SUM(1)", "+1", "-1",
-                                          "x..%2f..%2fetc", "new\nline", "\xff\xfe", "\x1b]0;title\x07", "$(touch here)", std::string(200, 'x')};
+  std::vector<std::string> const names = {"<script>alert(1)<\x1b[31m>",
+                                          "\" onload=\"alert(1)",
+                                          "=HYPERLINK(1)",
+                                          "@SUM(1)",
+                                          "+1",
+                                          "-1",
+                                          "x..%2f..%2fetc",
+                                          "new\nline",
+                                          "\xff\xfe",
+                                          "\x1b]0;title\x07",
+                                          "$(touch here)",
+                                          std::string(200, 'x')};
   for (std::string const& name : names) {
     add(name + ".obj");
     test::write_file(at("archive") / (name + ".ply"), "no PLY");
@@ -99,7 +115,9 @@ TEST_F(Night, NamesAreData) {
   EXPECT_EQ(finished("g").size(), names.size());
   EXPECT_EQ(reasons("g").size(), names.size());
   for (fs::directory_entry const& folder : fs::directory_iterator(at("g") / "models"))
-    EXPECT_EQ(folder.path().filename().string().find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string::npos) << folder.path();
+    EXPECT_EQ(folder.path().filename().string().find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"),
+              std::string::npos)
+        << folder.path();
   for (char const* page : {"report.html", "index.html"}) {
     std::string const text = test::read_file(at("g") / page);
     EXPECT_THAT(text, Not(HasSubstr("<script>alert"))) << page;
@@ -108,7 +126,8 @@ TEST_F(Night, NamesAreData) {
   }
   EXPECT_THAT(test::read_file(at("g") / "report.html"), HasSubstr("&lt;script&gt;"));
   std::string const table = "\n" + test::read_file(at("g") / "report.csv");
-  for (char const* formula : {"\n=", "\n@", "\n+", "\n-", ",=", ",@", ",\"="}) EXPECT_THAT(table, Not(HasSubstr(formula)));
+  for (char const* formula : {"\n=", "\n@", "\n+", "\n-", ",=", ",@", ",\"="})
+    EXPECT_THAT(table, Not(HasSubstr(formula)));
   for (char const* verb : {"status", "check"}) EXPECT_THAT(run(verb, "g").output, Not(HasSubstr("\x1b")));
 }
 

@@ -60,9 +60,11 @@ TEST_F(Night, WhatHasChangedIsDoneAgainAndNothingElse) {
   changes(1);
   test::write_file(at("archive") / "archive.csv", "path,title,credit\ngood0.obj,New title,Somebody\n");
   changes(1);
-  test::write_file(at("archive") / "archive.csv", "path,title,credit,link\ngood0.obj,New title,Somebody else,https://museum.example/{eye}\n");
+  test::write_file(at("archive") / "archive.csv",
+                   "path,title,credit,link\ngood0.obj,New title,Somebody else,https://museum.example/{eye}\n");
   changes(0);
-  EXPECT_THAT(test::read_file(at("g") / "gallery.json"), AllOf(HasSubstr("Somebody else"), HasSubstr("https://museum.example/{eye}")));
+  EXPECT_THAT(test::read_file(at("g") / "gallery.json"),
+              AllOf(HasSubstr("Somebody else"), HasSubstr("https://museum.example/{eye}")));
   changes(4, {"--normal-codec", "png"});
   changes(4);
   fs::remove(at("g") / std::string(report("g")["rows"][0]["thumb"]));

@@ -33,8 +33,12 @@ ModelOptions small_thumbnails() {
 class Pipeline : public testing::Test {
  protected:
   void add(std::string const& name, SourceModel const& model) { add_text(name, test::obj_text(model)); }
-  void add_text(std::string const& name, std::string const& text) { test::write_file(folder_.path() / "archive" / name, text); }
-  io::Archive archive(io::ArchiveOptions const& options = {}) { return io::read_archive(folder_.path() / "archive", options); }
+  void add_text(std::string const& name, std::string const& text) {
+    test::write_file(folder_.path() / "archive" / name, text);
+  }
+  io::Archive archive(io::ArchiveOptions const& options = {}) {
+    return io::read_archive(folder_.path() / "archive", options);
+  }
 
   std::vector<ModelRow> run(io::Archive const& archive, std::string const& gallery = "gallery", int threads = 2,
                             std::uint64_t memory = 0, ModelOptions const& options = small_thumbnails()) {
@@ -59,7 +63,8 @@ TEST_F(Pipeline, NModelsInNRowsOutInTheArchivesOrder) {
   for (ModelRow const& row : rows) {
     EXPECT_EQ(row.status, "done") << describe(row);
     EXPECT_EQ(thumb(row).size(), row.bytes.total);
-    EXPECT_EQ(row.bytes.geometry + row.bytes.colour + row.bytes.normal + row.bytes.occlusion + row.bytes.other, row.bytes.total);
+    EXPECT_EQ(row.bytes.geometry + row.bytes.colour + row.bytes.normal + row.bytes.occlusion + row.bytes.other,
+              row.bytes.total);
     EXPECT_LE(row.triangles, 200u);
   }
 }
@@ -108,7 +113,8 @@ TEST_F(Pipeline, RefusesAModelThatMemoryCannotHoldAndSaysHowMuchItNeeds) {
 TEST_F(Pipeline, FinishesWhenMemoryHoldsOneModelAtATime) {
   for (int i = 0; i < 12; ++i) add(std::to_string(i) + ".obj", test::plain_model(test::torus()));
   io::Archive const entries = archive();
-  EXPECT_THAT(run(entries, "gallery", 2, kProgram + entries.entries[0].estimate.memory), Each(Field(&ModelRow::status, "done")));
+  EXPECT_THAT(run(entries, "gallery", 2, kProgram + entries.entries[0].estimate.memory),
+              Each(Field(&ModelRow::status, "done")));
 }
 
 TEST_F(Pipeline, TakesTitlesAndUpAxesFromTheArchivesTable) {
@@ -189,7 +195,8 @@ TEST_F(Pipeline, NamesTheFilesThatAModelIsMadeOf) {
   add_text("a.obj", "mtllib a.mtl\nmtllib missing.mtl\n" + test::obj_text(test::plain_model(test::cube())));
   add_text("a.mtl", "newmtl red\nKd 1 0 0\n");
   io::Dependencies const found = run(archive())[0].dependencies;
-  EXPECT_THAT(found, testing::UnorderedElementsAre(testing::Pair("a.mtl", testing::SizeIs(32)), testing::Pair("missing.mtl", "")));
+  EXPECT_THAT(found, testing::UnorderedElementsAre(testing::Pair("a.mtl", testing::SizeIs(32)),
+                                                   testing::Pair("missing.mtl", "")));
 }
 
 // ---- The search
@@ -217,7 +224,8 @@ TEST_F(Pipeline, SearchesWhatFitsTheCeiling) {
 TEST_F(Pipeline, SearchesTheSameAtAnyThreadCount) {
   add("a.obj", test::painted_model(test::bumpy_sphere(64, 32)));
   add("b.obj", test::plain_model(test::torus()));
-  std::vector<ModelRow> const one = run(archive(), "one", 1, 0, searched(3)), two = run(archive(), "two", 2, 0, searched(3));
+  std::vector<ModelRow> const one = run(archive(), "one", 1, 0, searched(3)),
+                              two = run(archive(), "two", 2, 0, searched(3));
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].recipe, two[i].recipe);
     EXPECT_EQ(thumb(one[i], "one"), thumb(two[i], "two"));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // vitrine report on a gallery that vitrine convert made.
+#include "tools/report/report.h"
 #include "stages/error.h"
 #include "tests/support/folders.h"
 #include "tests/support/meshes.h"
 #include "tests/support/program.h"
-#include "tools/report/report.h"
 
 #include <gmock/gmock.h>
 
@@ -40,8 +40,10 @@ class PaperReport : public testing::Test {
   }
 
   static void convert(std::string const& name) {
-    test::Program({VITRINE_PROGRAM, "convert", archive(), "--out", gallery(name), "--triangles", "200", "--texture", "64",
-                   "--viewport", "40"}, folder() / "output").wait();
+    test::Program({VITRINE_PROGRAM, "convert", archive(), "--out", gallery(name), "--triangles", "200", "--texture",
+                   "64", "--viewport", "40"},
+                  folder() / "output")
+        .wait();
   }
   static void run(std::string const& name, int threads = 2) {
     ReportCommand command;
@@ -62,7 +64,8 @@ TEST_F(PaperReport, GivesTablesFiguresAndPicturesWithNoManualStep) {
   EXPECT_THAT(page, HasSubstr("paper/figure1-charts.png"));
   EXPECT_THAT(file("gallery", "paper/table4.csv"), HasSubstr("model,32 x 32,64 x 64,this gallery\r\n"));
   EXPECT_THAT(file("gallery", "paper/table4.csv"), Not(HasSubstr(",,"))) << "every setting made every model";
-  for (char const* name : {"paper/figure1-original.png", "paper/figure1-thumbnail.png", "paper/figure4.svg", "paper/curves.svg"})
+  for (char const* name :
+       {"paper/figure1-original.png", "paper/figure1-thumbnail.png", "paper/figure4.svg", "paper/curves.svg"})
     EXPECT_NE(file("gallery", name), "") << name;
 }
 
@@ -76,7 +79,8 @@ TEST_F(PaperReport, SaysTheSameAtAnyNumberOfThreads) {
 TEST_F(PaperReport, KeepsWhatItHasMade) {
   std::string const first = file("gallery", "paper.html");
   std::vector<fs::path> made;
-  for (fs::directory_entry const& entry : fs::recursive_directory_iterator(gallery("gallery") / ".vitrine" / "report" / "paper-32"))
+  for (fs::directory_entry const& entry :
+       fs::recursive_directory_iterator(gallery("gallery") / ".vitrine" / "report" / "paper-32"))
     if (entry.path().filename() == "certificate.json") made.push_back(entry.path());
   ASSERT_THAT(made, SizeIs(2));
   auto const time = fs::last_write_time(made[0]);

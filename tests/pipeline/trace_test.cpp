@@ -24,7 +24,8 @@ struct Slice {
 
 /// Whether slices lie within one another or apart; sorted from the outermost.
 bool is_nested(std::vector<Slice> slices) {
-  std::sort(slices.begin(), slices.end(), [](Slice const& a, Slice const& b) { return std::tuple(a.begin, -a.end) < std::tuple(b.begin, -b.end); });
+  std::sort(slices.begin(), slices.end(),
+            [](Slice const& a, Slice const& b) { return std::tuple(a.begin, -a.end) < std::tuple(b.begin, -b.end); });
   std::vector<std::int64_t> open;
   for (Slice const& s : slices) {
     while (!open.empty() && open.back() <= s.begin) open.pop_back();
@@ -35,7 +36,8 @@ bool is_nested(std::vector<Slice> slices) {
 }
 
 /// One sound model and one that is none, traced.
-nlohmann::json traced(test::TemporaryFolder const& folder, std::vector<ModelRow>& rows, Occupancy* occupancy = nullptr) {
+nlohmann::json traced(test::TemporaryFolder const& folder, std::vector<ModelRow>& rows,
+                      Occupancy* occupancy = nullptr) {
   test::write_file(folder.path() / "archive/torus.obj", test::obj_text(test::plain_model(test::torus())));
   test::write_file(folder.path() / "archive/empty.ply", "");
   ModelOptions options;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// What the tests of a night share: an archive of small models, the program run over it, and what a gallery must be like after
-/// whatever happened. Only for tests that are built with VITRINE_PROGRAM.
+/// What the tests of a night share: an archive of small models, the program run over it, and what a gallery must be
+/// like after whatever happened. Only for tests that are built with VITRINE_PROGRAM.
 
 #include "tests/support/folders.h"
 #include "tests/support/meshes.h"
@@ -49,8 +49,8 @@ class Night : public testing::Test {
   }
 
   Arguments convert(std::string const& gallery, Arguments const& more = {}) const {
-    Arguments all{VITRINE_PROGRAM, "convert", at("archive"), "--out", at(gallery), "--triangles", "60", "--texture", "16",
-                  "--viewport", "16"};
+    Arguments all{VITRINE_PROGRAM, "convert", at("archive"), "--out", at(gallery), "--triangles", "60",
+                  "--texture",     "16",      "--viewport",  "16"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
@@ -62,7 +62,9 @@ class Night : public testing::Test {
     all.insert(all.end(), more.begin(), more.end());
     return run(all);
   }
-  nlohmann::json report(std::string const& gallery) const { return nlohmann::json::parse(read_file(at(gallery) / "report.json")); }
+  nlohmann::json report(std::string const& gallery) const {
+    return nlohmann::json::parse(read_file(at(gallery) / "report.json"));
+  }
   int converted(std::string const& gallery) const { return report(gallery)["run"]["converted"]; }
   /// Of each model that is not done, by its path.
   std::map<std::string, std::string> reasons(std::string const& gallery) const {
@@ -88,7 +90,8 @@ class Night : public testing::Test {
   std::map<std::string, std::filesystem::file_time_type> finished(std::string const& gallery) const {
     std::map<std::string, std::filesystem::file_time_type> found;
     std::error_code error;
-    for (std::filesystem::directory_iterator it(at(gallery) / "models", error), end; !error && it != end; it.increment(error))
+    for (std::filesystem::directory_iterator it(at(gallery) / "models", error), end; !error && it != end;
+         it.increment(error))
       if (auto const file = it->path() / "certificate.json"; std::filesystem::exists(file))
         found[it->path().filename()] = std::filesystem::last_write_time(file);
     return found;
@@ -101,7 +104,8 @@ class Night : public testing::Test {
         EXPECT_TRUE(bytes == expected.at(name)) << name;
       }
   }
-  /// After whatever happened: no model is done twice, nothing half-written stands, the gallery becomes what it should be.
+  /// After whatever happened: no model is done twice, nothing half-written stands, the gallery becomes what it should
+  /// be.
   void expect_recovery(std::string const& gallery, Files const& expected) const {
     expect_nothing_half_written(gallery, expected);
     auto const before = finished(gallery);

@@ -45,7 +45,8 @@ Program::Program(std::vector<std::string> arguments, fs::path output, std::vecto
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
   std::string const program = arguments.front();
-  int const failed = posix_spawn(&pid_, program.c_str(), &files, nullptr, pointers(arguments).data(), pointers(environment).data());
+  int const failed =
+      posix_spawn(&pid_, program.c_str(), &files, nullptr, pointers(arguments).data(), pointers(environment).data());
   posix_spawn_file_actions_destroy(&files);
   if (failed) throw std::runtime_error("cannot start " + program);
 }
@@ -91,7 +92,8 @@ std::map<std::string, std::string> published(fs::path const& gallery) {
   }
   if (files.contains("report.json")) files["report.json"] = without_times(files["report.json"]);
   if (files.contains("report.csv"))
-    files["report.csv"] = std::regex_replace(files["report.csv"], std::regex("[0-9]+\\.[0-9]{6},([^,]*)\r\n"), "TIME,$1\r\n");
+    files["report.csv"] =
+        std::regex_replace(files["report.csv"], std::regex("[0-9]+\\.[0-9]{6},([^,]*)\r\n"), "TIME,$1\r\n");
   return files;
 }
 

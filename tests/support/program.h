@@ -27,7 +27,7 @@ class Program {
   Program& operator=(Program const&) = delete;
 
   pid_t pid() const { return pid_; }
-  pid_t child() const;               ///< the first one; 0: none
+  pid_t child() const;  ///< the first one; 0: none
   void signal(int number) const;
   bool wait_for(std::chrono::milliseconds time);  ///< whether it has ended
   Outcome wait();

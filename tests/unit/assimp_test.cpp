@@ -3,10 +3,10 @@
 #include "io/write_glb.h"
 #include "tests/support/delivered.h"
 
-#include <assimp/Importer.hpp>
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/Importer.hpp>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,8 @@ BakedModel textured() {
 struct Imported {
   explicit Imported(Profile profile) {
     std::vector<std::byte> const glb = encode(textured(), "sphere", {.profile = profile}).glb;
-    scene = importer.ReadFileFromMemory(glb.data(), glb.size(), aiProcess_PreTransformVertices | aiProcess_GenBoundingBoxes, "glb");
+    scene = importer.ReadFileFromMemory(glb.data(), glb.size(),
+                                        aiProcess_PreTransformVertices | aiProcess_GenBoundingBoxes, "glb");
   }
   Assimp::Importer importer;
   aiScene const* scene;

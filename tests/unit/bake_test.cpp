@@ -281,7 +281,8 @@ TEST(Bake, ShootingAlongNormalsSeesTheBottomOfAPitTheNearestPointItsRim) {
 
 TEST(Bake, DerivedNormalsShowTheSameInTheFrameOfClientsWithoutTangent) {
   BakeOptions options;
-  EXPECT_FALSE(bake(quantized(test::facing_atlas(square(), 16)), surveyed(test::plain_model(square())), options).derived_normal);
+  EXPECT_FALSE(
+      bake(quantized(test::facing_atlas(square(), 16)), surveyed(test::plain_model(square())), options).derived_normal);
   options.derived_normals = true;
   SourceModel tilted = test::plain_model(square());
   V3f const wanted = V3f(0.3f, 0.2f, 1).normalized();

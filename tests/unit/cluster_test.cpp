@@ -128,7 +128,8 @@ TEST(Cluster, LeavesAloneWhatIsSmallTexturedOrDust) {
   for (int i = 0; i < 20'000; ++i) {
     V3f const at(float(i % 100), float(i / 100), 0);
     auto const first = std::uint32_t(dust.mesh.positions.size());
-    for (V3f const& corner : {V3f(0, 0, 0), V3f(1e-3f, 0, 0), V3f(0, 1e-3f, 0)}) dust.mesh.positions.push_back(at + corner);
+    for (V3f const& corner : {V3f(0, 0, 0), V3f(1e-3f, 0, 0), V3f(0, 1e-3f, 0)})
+      dust.mesh.positions.push_back(at + corner);
     dust.mesh.triangles.push_back({first, first + 1, first + 2});
   }
   std::optional<SourceModel> const thin = cluster(dust, {.above = 10'000, .triangles = 10'000});

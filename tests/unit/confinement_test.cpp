@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 class Confined : public testing::Test {
  protected:
   Confined() {
-    for (char const* name : {"archive/model", "gallery/old", "elsewhere/secret"}) test::write_file(folder_.path() / name, "x");
+    for (char const* name : {"archive/model", "gallery/old", "elsewhere/secret"})
+      test::write_file(folder_.path() / name, "x");
   }
 
   fs::path at(std::string const& name) const { return folder_.path() / name; }
@@ -56,9 +57,10 @@ bool has(Confinement const& found, char const* what) { return found.level.find(w
 TEST_F(Confined, ItReadsTheArchiveAndWritesTheGalleryAndLittleElse) {
   expect_in_child([&](Confinement const& found) {
     if (!has(found, "landlock")) return has({found.missing, ""}, "landlock");
-    return opens("archive/model", O_RDONLY) && opens("gallery/new", O_RDWR | O_CREAT) && !opens("archive/model", O_RDWR) &&
-           !opens("archive/new", O_RDWR | O_CREAT) && !opens("elsewhere/secret", O_RDONLY) &&
-           !opens("elsewhere/new", O_RDWR | O_CREAT) && ::unlink(at("archive/model").c_str()) != 0;
+    return opens("archive/model", O_RDONLY) && opens("gallery/new", O_RDWR | O_CREAT) &&
+           !opens("archive/model", O_RDWR) && !opens("archive/new", O_RDWR | O_CREAT) &&
+           !opens("elsewhere/secret", O_RDONLY) && !opens("elsewhere/new", O_RDWR | O_CREAT) &&
+           ::unlink(at("archive/model").c_str()) != 0;
   });
 }
 
@@ -68,7 +70,8 @@ TEST_F(Confined, ItStartsThreadsButNoProcessAndNoConversation) {
     bool ran = false;
     std::thread([&] { ran = true; }).join();
     return ran && ::fork() < 0 && errno == EPERM && ::socket(AF_INET, SOCK_STREAM, 0) < 0 && errno == EPERM &&
-           ::execl("/bin/true", "true", nullptr) < 0 && errno == EPERM && ::symlink("a", at("gallery/link").c_str()) < 0;
+           ::execl("/bin/true", "true", nullptr) < 0 && errno == EPERM &&
+           ::symlink("a", at("gallery/link").c_str()) < 0;
   });
 }
 

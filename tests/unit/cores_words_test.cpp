@@ -9,9 +9,11 @@ namespace {
 using testing::HasSubstr;
 
 TEST(CoresWords, SayWhatBoundTheRunAndWhy) {
-  graph::Occupancy const o{.seconds = 10, .available = 20, .computed = 10, .taken = 1, .memory = 8, .writing = 1, .allowed = 2'000'000'000};
+  graph::Occupancy const o{
+      .seconds = 10, .available = 20, .computed = 10, .taken = 1, .memory = 8, .writing = 1, .allowed = 2'000'000'000};
   EXPECT_EQ(cores_words(o),
-            "bound by memory, of which --memory allows 2.00 GB: 50 % computing, 45 % idle (40 % models waited for memory, 5 % writing), "
+            "bound by memory, of which --memory allows 2.00 GB: 50 % computing, 45 % idle (40 % models waited for "
+            "memory, 5 % writing), "
             "5 % taken by other programs");
 }
 
@@ -36,8 +38,11 @@ TEST(CoresWords, NameTheStagesThatTookMost) {
 
 TEST(CoresWords, ShowEveryStageInATable) {
   std::string const table = stages_html({{"load", 12, 3, 0.25, 0.5, 1'810'000'000}});
-  EXPECT_THAT(table, HasSubstr("<td>load</td><td class=\"number\">12</td><td class=\"number\">3.00 s</td><td class=\"number\">25 %</td>"
-                               "<td class=\"number\">0.50 s</td><td class=\"number\">1.81 GB</td>"));
+  EXPECT_THAT(
+      table,
+      HasSubstr(
+          "<td>load</td><td class=\"number\">12</td><td class=\"number\">3.00 s</td><td class=\"number\">25 %</td>"
+          "<td class=\"number\">0.50 s</td><td class=\"number\">1.81 GB</td>"));
   EXPECT_EQ(stages_html({}), "");
 }
 

@@ -15,7 +15,9 @@ namespace {
 
 constexpr int kSide = 64;
 
-Lens lens(V3d const& direction = {0, 0, 1}) { return {camera({{0, 0, 0}, 1}, direction.normalized()), {0, 0, 0}, kSide}; }
+Lens lens(V3d const& direction = {0, 0, 1}) {
+  return {camera({{0, 0, 0}, 1}, direction.normalized()), {0, 0, 0}, kSide};
+}
 
 /// Two squares of edge 1 about the z axis, the second at a depth of its own.
 TriMesh squares(float z) {
@@ -70,7 +72,8 @@ TEST(DepthBuffer, WhatWouldHaveToBeClippedIsNotDrawn) {
   EXPECT_FALSE(buffer.draw(wide, lens()));
 }
 
-/// Share of the samples at which rays see another face; of those, which a ray a hundredth of a sample beside sees too, do not count.
+/// Share of the samples at which rays see another face; of those, which a ray a hundredth of a sample beside sees too,
+/// do not count.
 double disagreement(TriMesh const& mesh, Lens const& from) {
   DepthBuffer buffer(kSide);
   EXPECT_TRUE(buffer.draw(mesh, from));

@@ -35,7 +35,8 @@ TEST(Detail, TexelsGoWhereColoursVary) {
 }
 
 TEST(Detail, IsEvenWithoutColour) {
-  SurveyedModel const bare = survey(std::make_shared<SourceModel const>(clean(test::plain_model(test::sphere())).model));
+  SurveyedModel const bare =
+      survey(std::make_shared<SourceModel const>(clean(test::plain_model(test::sphere())).model));
   EXPECT_THAT(detail_lengths(test::sphere(8, 4), sample_surface(bare, 1000)), testing::Each(1.f));
 }
 

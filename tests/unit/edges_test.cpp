@@ -24,7 +24,8 @@ TEST(Outline, RunsAlongTheEdgesOfOneFace) {
   EXPECT_THAT(found.open, SizeIs(2 * (5 + 3)));
   EXPECT_THAT(found.tangled, IsEmpty());
   for (auto const& [face, corner] : found.open) {
-    V3f const a = grid.positions[grid.triangles[face][corner]], b = grid.positions[grid.triangles[face][(corner + 1) % 3]];
+    V3f const a = grid.positions[grid.triangles[face][corner]],
+              b = grid.positions[grid.triangles[face][(corner + 1) % 3]];
     V3f const middle = (a + b) / 2;
     EXPECT_TRUE(middle.x == 0 || middle.x == 5 || middle.z == 0 || middle.z == 3) << middle;
   }

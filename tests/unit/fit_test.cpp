@@ -26,12 +26,14 @@ struct World {
     if (is_textured(recipe)) rate += 0.8;
     if (recipe.shading == Shading::smooth) rate += 0.5;
     if (is_textured(recipe)) {
-      double const at_50 = map_bits / 8 * recipe.texture * recipe.texture, room = 0.99 * recipe.ceiling - 700 - rate * recipe.triangles;
+      double const at_50 = map_bits / 8 * recipe.texture * recipe.texture,
+                   room = 0.99 * recipe.ceiling - 700 - rate * recipe.triangles;
       quality = recipe.map_quality > 0 ? recipe.map_quality : std::clamp(50 * room / at_50, 5.0, 95.0);
       map = at_50 * quality / 50;
     }
     double const error = 2000 * penalty(recipe) / std::pow(recipe.triangles, 1.2);
-    return {recipe, std::size_t(700 + map + rate * recipe.triangles), std::size_t(map), int(quality), error, error * 0.05};
+    return {recipe,      std::size_t(700 + map + rate * recipe.triangles), std::size_t(map), int(quality), error,
+            error * 0.05};
   }
 };
 
@@ -100,7 +102,8 @@ TEST(Fit, FillsTheCeilingAndNeverExceedsIt) {
 TEST(Fit, EndsSoon) {
   for (Subject const& subject : {kPlain, kPainted})
     for (double kb : {0.5, 1.0, 8.0, 32.0})
-      for (World const& world : {World{}, World{.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 1e-3 : 1; }}})
+      for (World const& world :
+           {World{}, World{.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 1e-3 : 1; }}})
         EXPECT_LE(search(subject, {.max_kb = kb}, world).size(), 30u) << kb;
 }
 
@@ -151,7 +154,9 @@ TEST(Fit, AsksOfNormalsOverAMapOnceWhereTheyLose) {
   };
   auto const history = search(kPainted, {.max_kb = 16}, facets_win);
   auto const unfolded = std::ranges::find(history, Unfolding::rigid, [](Trial const& t) { return t.recipe.unfolding; });
-  auto const smooth = [](Trial const& t) { return t.recipe.painting == Painting::map && t.recipe.shading == Shading::smooth; };
+  auto const smooth = [](Trial const& t) {
+    return t.recipe.painting == Painting::map && t.recipe.shading == Shading::smooth;
+  };
   ASSERT_NE(unfolded, history.end());
   EXPECT_TRUE(std::any_of(history.begin(), unfolded, smooth));
   EXPECT_FALSE(std::any_of(unfolded, history.end(), smooth));
@@ -170,7 +175,8 @@ TEST(Fit, BeginsWithFinePlacesWhereAllTrianglesFit) {  // coarse ones would hide
   Subject const spider{1368, true};
   std::vector<Trial> const history = search(spider, {.max_kb = 16}, {});
   EXPECT_EQ(history.front().recipe.position_bits, 13);
-  EXPECT_TRUE(std::ranges::all_of(history, [](Trial const& t) { return t.recipe.colour_weight == 0; }));  // nothing collapses
+  EXPECT_TRUE(
+      std::ranges::all_of(history, [](Trial const& t) { return t.recipe.colour_weight == 0; }));  // nothing collapses
   EXPECT_EQ(search(kPainted, {.max_kb = 16}, {}).front().recipe.position_bits, 10);
 }
 
@@ -178,14 +184,17 @@ TEST(Fit, KeepsTheOriginalsTextureWhereThatIsBestAndNoLargerThanItIs) {
   World world;
   world.penalty = [](Recipe const& r) { return r.painting == Painting::own ? 0.1 : 1; };
   Subject const knot{.triangles = 2880, .coloured = true, .own_texture = 64};
-  for (Trial const& trial : search(knot, {.max_kb = 16}, world)) EXPECT_TRUE(trial.recipe.painting != Painting::own || trial.recipe.texture <= 64);
+  for (Trial const& trial : search(knot, {.max_kb = 16}, world))
+    EXPECT_TRUE(trial.recipe.painting != Painting::own || trial.recipe.texture <= 64);
   EXPECT_EQ(winner(knot, {.max_kb = 16}, world).recipe.painting, Painting::own);
   for (Trial const& trial : search(kPainted, {.max_kb = 16}, world)) EXPECT_NE(trial.recipe.painting, Painting::own);
 }
 
 TEST(Fit, ComparesAnAtlasWithTheOriginalsTextureAtTheSizeThatIsBest) {
   World world;
-  world.penalty = [](Recipe const& r) { return r.painting == Painting::map ? 100.0 / r.texture : r.painting == Painting::own ? 0.25 : 1; };
+  world.penalty = [](Recipe const& r) {
+    return r.painting == Painting::map ? 100.0 / r.texture : r.painting == Painting::own ? 0.25 : 1;
+  };
   Subject const amphora{.triangles = 12'000, .coloured = true, .own_texture = 256};
   std::vector<Trial> const history = search(amphora, {.max_kb = 16}, world);
   auto const first = std::ranges::find(history, Painting::map, [](Trial const& t) { return t.recipe.painting; });
@@ -227,14 +236,17 @@ TEST(Fit, ComesBackFromFilesTooSmallForAnError) {  // where error falls faster t
 TEST(Fit, HalvesTheGapWhereTheErrorFallsAllAtOnce) {
   constexpr double kMost = 0.1, kEnough = 12'000;
   World cliff;
-  cliff.penalty = [](Recipe const& r) { return (r.triangles < kEnough ? 1.3 : 0.2) * kMost * std::pow(r.triangles, 1.2) / 2000; };
+  cliff.penalty = [](Recipe const& r) {
+    return (r.triangles < kEnough ? 1.3 : 0.2) * kMost * std::pow(r.triangles, 1.2) / 2000;
+  };
   Trial const best = winner(kPlain, {.max_kb = 200, .max_error = kMost}, cliff);
   EXPECT_LE(best.error, kMost);
   EXPECT_LT(best.recipe.triangles, 1.1 * kEnough);
 }
 
 TEST(Fit, AMapThatFitsAtNoQualityGetsFewerTexels) {
-  World const noise{.map_bits = 16, .penalty = [](Recipe const& r) { return r.painting == Painting::map ? 0.05 : 1.0; }};
+  World const noise{.map_bits = 16,
+                    .penalty = [](Recipe const& r) { return r.painting == Painting::map ? 0.05 : 1.0; }};
   std::vector<Trial> const history = search(kPainted, {}, noise);
   auto const map = std::ranges::find(history, Painting::map, [](Trial const& t) { return t.recipe.painting; });
   ASSERT_LT(map + 1, history.end());

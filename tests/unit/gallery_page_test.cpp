@@ -40,12 +40,15 @@ TEST(GalleryPage, HasAllPostersForThoseWithoutScript) {
   EXPECT_THAT(page, Not(HasSubstr("broken")));
 }
 
-TEST(GalleryPage, IsLeftAloneWithoutAPlaceForPosters) { EXPECT_EQ(with_posters("<main></main>", {lion()}), "<main></main>"); }
+TEST(GalleryPage, IsLeftAloneWithoutAPlaceForPosters) {
+  EXPECT_EQ(with_posters("<main></main>", {lion()}), "<main></main>");
+}
 
 TEST(GalleryPage, WeighsWhatIsDone) {
   test::TemporaryFolder const gallery;
   test::write_file(gallery.path() / "models/lion/poster.jpg", "12345");
-  nlohmann::ordered_json const sizes = {{"viewer", {{"bytes", 9}, {"gzip", 3}}}, {"decoders", {{"web", {{"gzip", 5}}}, {"meshopt", {{"gzip", 4}}}}}};
+  nlohmann::ordered_json const sizes = {{"viewer", {{"bytes", 9}, {"gzip", 3}}},
+                                        {"decoders", {{"web", {{"gzip", 5}}}, {"meshopt", {{"gzip", 4}}}}}};
   auto const page = page_weight(gallery.path(), {lion(), broken(), lion()}, Profile::web, sizes);
   EXPECT_EQ(page["viewer"]["gzip"], 3);
   EXPECT_EQ(page["objects"], 2);
@@ -66,7 +69,8 @@ TEST(GalleryPage, KeepsWhatWasMeasuredOfIt) {
     return now.contains("measured");
   };
   EXPECT_FALSE(kept(page));
-  test::write_file(gallery.path() / "gallery.json", R"({"page": {"objects": 2, "posters": 10, "measured": {"decoding": 43}}})");
+  test::write_file(gallery.path() / "gallery.json",
+                   R"({"page": {"objects": 2, "posters": 10, "measured": {"decoding": 43}}})");
   EXPECT_TRUE(kept(page));
   EXPECT_FALSE(kept({{"objects", 2}, {"posters", 11}})) << "of another page";
   test::write_file(gallery.path() / "gallery.json", "{");

@@ -137,7 +137,8 @@ TEST(ImageCodec, ReadsAWindowsBitmapWithTheTopRowFirst) {
 
 TEST(ImageCodec, RefusesRunLengthCodedBitmaps) {  // without a palette they end the process within the library
   for (int depth : {8, 24})
-    for (int compression : {1, 2}) EXPECT_EQ(kind_of_failure(bitmap(depth, compression, {0x0101, 0x0100})), ErrorKind::unsupported);
+    for (int compression : {1, 2})
+      EXPECT_EQ(kind_of_failure(bitmap(depth, compression, {0x0101, 0x0100})), ErrorKind::unsupported);
 }
 
 TEST(ImageCodec, SixteenBitsBecomeEight) {

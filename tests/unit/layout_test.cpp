@@ -20,13 +20,15 @@ std::vector<std::string> includes(std::string const& folder, std::string const& 
     std::ifstream file(entry.path());
     std::smatch match;
     for (std::string line; std::getline(file, line);)
-      if (std::regex_search(line, match, include)) found.push_back(entry.path().filename().string() + ": " + match[1].str());
+      if (std::regex_search(line, match, include))
+        found.push_back(entry.path().filename().string() + ": " + match[1].str());
   }
   return found;
 }
 
 TEST(Layout, StagesKnowNoBytesNoOrderNoFilesAndNoClock) {
-  EXPECT_THAT(includes("stages", "(io|graph|tools)/.*|fstream|filesystem|chrono|nlohmann/.*|CLI/.*"), testing::IsEmpty());
+  EXPECT_THAT(includes("stages", "(io|graph|tools)/.*|fstream|filesystem|chrono|nlohmann/.*|CLI/.*"),
+              testing::IsEmpty());
 }
 
 TEST(Layout, TbbEntersStagesThroughOneHeader) {
@@ -39,6 +41,8 @@ TEST(Layout, IoKnowsOnlyTheTypesOfStages) {
 
 TEST(Layout, GraphKnowsNoTools) { EXPECT_THAT(includes("graph", "tools/.*"), testing::IsEmpty()); }
 
-TEST(Layout, ThisCheckSeesIncludes) { EXPECT_THAT(includes("io", "stages/data\\.h"), testing::Not(testing::IsEmpty())); }
+TEST(Layout, ThisCheckSeesIncludes) {
+  EXPECT_THAT(includes("io", "stages/data\\.h"), testing::Not(testing::IsEmpty()));
+}
 
 }  // namespace

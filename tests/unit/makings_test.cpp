@@ -45,8 +45,8 @@ TEST(Makings, OfAnotherTextureEndWithTheCharts) {
 TEST(Makings, OfAnotherShapeAreNone) {
   for (auto const& change :
        {+[](Recipe& r) { r.triangles = 2000; }, +[](Recipe& r) { r.fitted = false; },
-        +[](Recipe& r) { r.shading = Shading::smooth; },
-        +[](Recipe& r) { r.unfolding = Unfolding::rigid; }, +[](Recipe& r) { r.painting = Painting::own; }}) {
+        +[](Recipe& r) { r.shading = Shading::smooth; }, +[](Recipe& r) { r.unfolding = Unfolding::rigid; },
+        +[](Recipe& r) { r.painting = Painting::own; }}) {
     Recipe other = kMap;
     change(other);
     Makings const shared = made(kMap).shared_with(other);

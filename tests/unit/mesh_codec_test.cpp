@@ -10,9 +10,9 @@
 namespace vitrine::io {
 namespace {
 
+using test::coloured_model;
 using test::corners;
 using test::decode_draco;
-using test::coloured_model;
 using test::random_model;
 
 BakedModel bare(TriMesh mesh) {

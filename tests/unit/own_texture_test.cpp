@@ -21,7 +21,8 @@ Image stripes() { return {2, 1, 3, ColourSpace::srgb, {255, 0, 0, 0, 0, 255}}; }
 /// A flat grid with `repetitions` of the stripes across.
 SourceModel striped(int columns, float repetitions, float first = 0) {
   SourceModel model = test::plain_model(test::grid(columns, columns));
-  for (V3f const& p : model.mesh.positions) model.uvs.push_back({first + repetitions * p.x / float(columns), p.z / float(columns)});
+  for (V3f const& p : model.mesh.positions)
+    model.uvs.push_back({first + repetitions * p.x / float(columns), p.z / float(columns)});
   model.images.push_back(stripes());
   model.materials[0].coloured = true;
   model.materials[0].colour_map.image = 0;
@@ -32,7 +33,8 @@ BakedModel worn(SourceModel source, int triangles, int texture = 256) {
   SurveyedModel const original = survey(std::make_shared<SourceModel const>(clean(std::move(source)).model));
   std::optional<TexturedMesh> const textured = own_texture(*original.model);
   SurfaceSamples const samples = sample_surface(original, 2000);
-  return wear_own_texture(simplify(*textured, triangles), *textured, original, samples, {.position_bits = 12, .texture = texture});
+  return wear_own_texture(simplify(*textured, triangles), *textured, original, samples,
+                          {.position_bits = 12, .texture = texture});
 }
 
 TEST(OwnTexture, KeepsTheImageAndWhereItIsRead) {
@@ -91,7 +93,8 @@ TEST(OwnTexture, IsDrawnAsTheOriginal) {
     BakedModel const model = worn(source, 1000);
     io::EncodeOptions const options{.colour_codec = MapCodec::png};
     SurveyedModel const original = survey(std::make_shared<SourceModel const>(clean(source).model));
-    SurveyedModel const thumbnail = survey(std::make_shared<SourceModel const>(decoded(io::encode(model, "", options))));
+    SurveyedModel const thumbnail =
+        survey(std::make_shared<SourceModel const>(decoded(io::encode(model, "", options))));
     Reference const seen = reference(original, {.count = 4, .size = 100});
     EXPECT_LT(compare(seen.pictures, pictures(thumbnail, seen)).mean.mse1e4, 1) << int(wrap);
   }

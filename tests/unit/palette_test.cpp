@@ -34,7 +34,8 @@ std::vector<V3f> colours_in_a_plane() {
   std::uniform_real_distribution<float> unit(0, 1);
   std::vector<V3f> colours;
   for (int i = 0; i < 2000; ++i)
-    colours.push_back(V3f(0.1f, 0.15f, 0.2f) + V3f(0.7f, 0.6f, 0.5f) * unit(random) + V3f(0.15f, 0, -0.15f) * unit(random));
+    colours.push_back(V3f(0.1f, 0.15f, 0.2f) + V3f(0.7f, 0.6f, 0.5f) * unit(random) +
+                      V3f(0.15f, 0, -0.15f) * unit(random));
   return colours;
 }
 

@@ -32,7 +32,8 @@ TEST(Chart, TicksAreShort) {
 TEST(Chart, NamesAreTextAndDrawingsHaveWords) {
   Svg const chart = stacked_bars({"bars", "Bytes & more", "What <they> are"}, "KB", {"geometry"}, {{"<script>", {2}}});
   EXPECT_THAT(chart.fragment(), Not(HasSubstr("<script")));
-  EXPECT_THAT(chart.fragment(), HasSubstr("<title id=\"barst\">Bytes &amp; more</title><desc id=\"barsd\">What &lt;they&gt; are</desc>"));
+  EXPECT_THAT(chart.fragment(),
+              HasSubstr("<title id=\"barst\">Bytes &amp; more</title><desc id=\"barsd\">What &lt;they&gt; are</desc>"));
 }
 
 TEST(Chart, AFileStandsByItself) {

@@ -17,7 +17,8 @@ class PaperGallery : public testing::Test {
  protected:
   void write(std::string const& name, Json const& json) { test::write_file(folder_.path() / name, json.dump()); }
   void write_report(Json rows) {
-    write("report.json", {{"schema", 1}, {"archive", "/scans"}, {"options", Json::object()}, {"rows", std::move(rows)}});
+    write("report.json",
+          {{"schema", 1}, {"archive", "/scans"}, {"options", Json::object()}, {"rows", std::move(rows)}});
   }
   Gallery read() { return read_gallery(folder_.path()); }
   std::string refusal() {
@@ -36,7 +37,8 @@ class PaperGallery : public testing::Test {
 };
 
 TEST_F(PaperGallery, ReadsWhatCertificatesSay) {
-  write_report({test::certified_row("a/lion.ply", "Lion", "a-lion-01"), {{"input", "b.obj"}, {"title", "b"}, {"status", "failed"}}});
+  write_report({test::certified_row("a/lion.ply", "Lion", "a-lion-01"),
+                {{"input", "b.obj"}, {"title", "b"}, {"status", "failed"}}});
   write("models/a-lion-01/certificate.json", test::certificate("a/lion.ply", 20000, 4.5));
   Gallery const gallery = read();
   EXPECT_EQ(gallery.archive, "/scans");

@@ -18,10 +18,20 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-Thumbnail thumbnail(std::size_t bytes, double mse1e4) { return read_thumbnail(test::certificate("x.ply", bytes, mse1e4)); }
+Thumbnail thumbnail(std::size_t bytes, double mse1e4) {
+  return read_thumbnail(test::certificate("x.ply", bytes, mse1e4));
+}
 
 Model model(std::string const& title, std::size_t bytes, double mse1e4) {
-  return {title + ".ply", title, title.substr(0, 1), "y", true, 5'000'000, 250'000, thumbnail(bytes, mse1e4), test::certificate("x.ply", bytes, mse1e4)};
+  return {title + ".ply",
+          title,
+          title.substr(0, 1),
+          "y",
+          true,
+          5'000'000,
+          250'000,
+          thumbnail(bytes, mse1e4),
+          test::certificate("x.ply", bytes, mse1e4)};
 }
 
 /// Two models: one better than 16 frames and smaller, one larger than the 8 frames that are as good.
@@ -38,7 +48,8 @@ TEST(PaperTables, HaveARowForEachModelAndOneForTheMean) {
             "model,64 x 64,128 x 128,this gallery,8 views JPEG q90,8 views WebP q80\r\n"
             "lion,10.0,30.0,12.0,8.0,8.0\r\nbowl,10.0,30.0,9.0,8.0,8.0\r\nmean,10.0,30.0,10.5,8.0,8.0\r\n");
   EXPECT_EQ(to_csv(table4(study())),
-            "model,64 x 64,128 x 128,this gallery\r\nlion,10.00,8.00,8.00\r\nbowl,30.00,31.00,25.00\r\nmean,20.00,19.50,16.50\r\n");
+            "model,64 x 64,128 x 128,this "
+            "gallery\r\nlion,10.00,8.00,8.00\r\nbowl,30.00,31.00,25.00\r\nmean,20.00,19.50,16.50\r\n");
 }
 
 TEST(PaperTables, AModelThatASettingCouldNotMakeLeavesAGap) {
@@ -57,17 +68,22 @@ TEST(PaperTables, AblationTellsWhatAChoiceIsWorth) {
   Study tried = study();
   Setting whole{"own-16", false, 16, {}}, without{"without-refit", false, 16, {}};
   without.options.fit.without = Choice::refit;
-  tried.ablation = {{whole, {thumbnail(16'000, 8), thumbnail(16'000, 25)}}, {without, {thumbnail(16'000, 16), thumbnail(16'000, 25)}}};
+  tried.ablation = {{whole, {thumbnail(16'000, 8), thumbnail(16'000, 25)}},
+                    {without, {thumbnail(16'000, 16), thumbnail(16'000, 25)}}};
   EXPECT_THAT(to_csv(ablation(tried)), HasSubstr("refit,1.414,0.0000,1,2.000,lion,2.00\r\n"));
 }
 
 TEST(PaperTables, APageCountsItsCodeOnceAndPicturesNone) {
   Gallery gallery = study().gallery;
   EXPECT_TRUE(page_table(gallery).rows.empty()) << "galleries that do not say";
-  gallery.page = {{"viewer", {{"gzip", 150'000}}}, {"decoder", {{"gzip", 50'000}}}, {"objects", 10}, {"thumbnails", 100'000},
+  gallery.page = {{"viewer", {{"gzip", 150'000}}},
+                  {"decoder", {{"gzip", 50'000}}},
+                  {"objects", 10},
+                  {"thumbnails", 100'000},
                   {"series", {{"jpeg90", {{"8", 400'000}}}}}};
   EXPECT_EQ(to_csv(page_table(gallery)),
-            "objects as,\"first, KB\",\"all, KB\",\"first, s at 1.6 Mbit/s\",\"first, s at 10 Mbit/s\",\"first, s at 50 Mbit/s\","
+            "objects as,\"first, KB\",\"all, KB\",\"first, s at 1.6 Mbit/s\",\"first, s at 10 Mbit/s\",\"first, s at "
+            "50 Mbit/s\","
             "\"all, s at 1.6 Mbit/s\",\"all, s at 10 Mbit/s\",\"all, s at 50 Mbit/s\"\r\n"
             "\"3D, with viewer and decoder\",210.0,300.0,1.05,0.17,0.03,1.50,0.24,0.05\r\n"
             "\"8 pictures, JPEG q90\",40.0,400.0,0.20,0.03,0.01,2.00,0.32,0.06\r\n");
@@ -81,8 +97,15 @@ TEST(PaperTables, APageCountsItsCodeOnceAndPicturesNone) {
 TEST(PaperTables, APageTellsHowLongVisitorsWaited) {
   Gallery gallery = study().gallery;
   EXPECT_TRUE(wait_table(gallery).rows.empty()) << "galleries that were not measured";
-  gallery.page["measured"] = {{"decoding", 43.2}, {"visits", {{{"view", "3d"}, {"megabits", 1.6}, {"latency", 150}, {"poster", 1.53}, {"first", 3.6},
-                               {"all", 5.72}, {"bytes", {{"first", 353'000}, {"all", 493'400}}}}}}};
+  gallery.page["measured"] = {{"decoding", 43.2},
+                              {"visits",
+                               {{{"view", "3d"},
+                                 {"megabits", 1.6},
+                                 {"latency", 150},
+                                 {"poster", 1.53},
+                                 {"first", 3.6},
+                                 {"all", 5.72},
+                                 {"bytes", {{"first", 353'000}, {"all", 493'400}}}}}}};
   EXPECT_THAT(wait_table(gallery).caption, HasSubstr("43 ms"));
   EXPECT_THAT(to_csv(wait_table(gallery)), HasSubstr("\r\n3D,1.6,150,1.5,3.6,353,5.7,493\r\n"));
 }
@@ -96,10 +119,14 @@ TEST(PaperTables, CodecsHaveTheirUsualNames) {
 TEST(Words, SayWhatTheFiguresSay) {
   std::vector<std::string> const said = findings(study());
   EXPECT_THAT(said, Contains(HasSubstr("fewer bytes than any image series for 1 of 2 models")));
-  // All deviations from 19.75: 95.06 + 105.06 + 138.06 + 126.56 = 464.75; rows 9 and 30.5: 462.25; columns 20 and 19.5: 0.25.
-  EXPECT_THAT(said, Contains(HasSubstr("the model explains 99.5 % of the variance of the error and the texture size 0.1 %")));
+  // All deviations from 19.75: 95.06 + 105.06 + 138.06 + 126.56 = 464.75; rows 9 and 30.5: 462.25; columns 20 and 19.5:
+  // 0.25.
+  EXPECT_THAT(said,
+              Contains(HasSubstr("the model explains 99.5 % of the variance of the error and the texture size 0.1 %")));
   EXPECT_THAT(said, Contains(HasSubstr("but for: bowl from 64 to 128 texels (30.00 to 31.00).")));
-  EXPECT_THAT(said, Contains(HasSubstr("on average 25 % of the bytes (25 to 25 %) at 64 texels, 25 % (25 to 25 %) at 128 texels.")));
+  EXPECT_THAT(
+      said,
+      Contains(HasSubstr("on average 25 % of the bytes (25 to 25 %) at 64 texels, 25 % (25 to 25 %) at 128 texels.")));
 }
 
 TEST(Words, SayNothingOfTooFewModels) {
@@ -120,7 +147,8 @@ TEST_F(PaperPage, HoldsTablesAndFiguresAndNamesNothingThatIsNotThere) {
   std::string const page = file("paper.html");
   for (char const* part : {"Table 1.", "Table 2.", "Table 3.", "Table 4.", "Figure 1.", "Figure 4.", "broken.obj"})
     EXPECT_THAT(page, HasSubstr(part));
-  for (char const* name : {"paper/table1.csv", "paper/table3.md", "paper/figure4.svg", "paper/curves.svg", "paper/curves-l.svg"}) {
+  for (char const* name :
+       {"paper/table1.csv", "paper/table3.md", "paper/figure4.svg", "paper/curves.svg", "paper/curves-l.svg"}) {
     EXPECT_THAT(page, HasSubstr(name));
     EXPECT_NE(file(name), "") << name;
   }

@@ -11,7 +11,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 Table hostile() {
-  return {"table1", "Models", {"model", "triangles"}, {{{"<script>alert(1)</script>"}, {1234567.0, 0}}, {{"=1+1"}, {}}}};
+  return {
+      "table1", "Models", {"model", "triangles"}, {{{"<script>alert(1)</script>"}, {1234567.0, 0}}, {{"=1+1"}, {}}}};
 }
 
 TEST(PaperTable, HostileNamesStayText) {

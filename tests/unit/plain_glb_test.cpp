@@ -25,7 +25,9 @@ SourceModel read(std::vector<std::byte> const& glb) {
   return read_model(".glb", own(glb), nothing);
 }
 
-std::string text_of(std::vector<std::byte> const& glb) { return {reinterpret_cast<char const*>(glb.data()), glb.size()}; }
+std::string text_of(std::vector<std::byte> const& glb) {
+  return {reinterpret_cast<char const*>(glb.data()), glb.size()};
+}
 
 /// How far the farthest vertex of one is from the other's nearest.
 float apart(SourceModel const& one, SourceModel const& other) {

@@ -477,7 +477,8 @@ TEST(ReadGltf, MissingTexturesAreNotedAndTheMeshRead) {
 }
 
 TEST(ReadGltf, ABetterCodecsImageIsTakenWhereTheFileOffersOne) {
-  for (auto const& [name, codec] : {std::pair{"EXT_texture_webp", ImageCodec::webp}, {"EXT_texture_avif", ImageCodec::avif}}) {
+  for (auto const& [name, codec] :
+       {std::pair{"EXT_texture_webp", ImageCodec::webp}, {"EXT_texture_avif", ImageCodec::avif}}) {
     Builder b = mapped_square();
     EncodedImage const better = encode_image({2, 2, 3, ColourSpace::srgb, std::vector<std::uint8_t>(12, 50)}, {codec});
     int const view = b.view({reinterpret_cast<char const*>(better.bytes.data()), better.bytes.size()});

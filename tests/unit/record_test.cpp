@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the reports say of a model is the same whether it was made just now, came from the worker, the ledger, or its certificate.
+// What the reports say of a model is the same whether it was made just now, came from the worker, the ledger, or its
+// certificate.
 #include "graph/record.h"
 
 #include "graph/certificate.h"
@@ -80,7 +81,8 @@ TEST(Record, NamesNoChoiceThatThereIsNot) {
 TEST(Record, TakesNoNumberForACountThatIsNone) {
   nlohmann::json record = nlohmann::json::from_cbor(to_bytes({finished(), "settings", {}, 0, ""}));
   auto certificate = nlohmann::ordered_json::parse(certificate_text(finished(), {}));
-  for (nlohmann::json const& count : {nlohmann::json(1.5), nlohmann::json(1e51), nlohmann::json(-1), nlohmann::json(1ll << 32)}) {
+  for (nlohmann::json const& count :
+       {nlohmann::json(1.5), nlohmann::json(1e51), nlohmann::json(-1), nlohmann::json(1ll << 32)}) {
     record["row"]["triangles"] = count;
     std::string bytes;
     nlohmann::json::to_cbor(record, bytes);

@@ -124,7 +124,8 @@ TEST(SeriesFiles, TooManyPicturesAreRefusedBeforeTheyAreDrawn) {
 }
 
 TEST(SeriesFiles, ASheetLargerThanItsCodecHoldsIsRefused) {
-  std::vector<Image> const pictures(1024, Image{128, 128, 3, ColourSpace::srgb, std::vector<std::uint8_t>(3 * 128 * 128)});
+  std::vector<Image> const pictures(1024,
+                                    Image{128, 128, 3, ColourSpace::srgb, std::vector<std::uint8_t>(3 * 128 * 128)});
   SeriesOptions const options{.frames = 256, .rows = 4, .codec = SeriesCodec::webp, .sheet = true};
   try {
     series_files(pictures, options);  // 128 lines of 128 pixels

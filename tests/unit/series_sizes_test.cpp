@@ -53,11 +53,11 @@ TEST(SeriesSizes, OtherViewsThanTheTurntableAreRefused) {
 }
 
 TEST(SeriesSizes, AreKeyedByCodingAndCount) {
-  std::vector<SeriesSizes> const series{{"jpeg90", {{8, 1000, 0.5, 20}, {16, 2000, 0.5, 10}}}, {"webp80", {{8, 500, 1, 21}}}};
-  EXPECT_EQ(to_json(series).dump(),
-            R"({"jpeg90":{"8":{"bytes":1000,"codingMse1e4":0.5,"turningMse1e4":20.0},)"
-            R"("16":{"bytes":2000,"codingMse1e4":0.5,"turningMse1e4":10.0}},)"
-            R"("webp80":{"8":{"bytes":500,"codingMse1e4":1.0,"turningMse1e4":21.0}}})");
+  std::vector<SeriesSizes> const series{{"jpeg90", {{8, 1000, 0.5, 20}, {16, 2000, 0.5, 10}}},
+                                        {"webp80", {{8, 500, 1, 21}}}};
+  EXPECT_EQ(to_json(series).dump(), R"({"jpeg90":{"8":{"bytes":1000,"codingMse1e4":0.5,"turningMse1e4":20.0},)"
+                                    R"("16":{"bytes":2000,"codingMse1e4":0.5,"turningMse1e4":10.0}},)"
+                                    R"("webp80":{"8":{"bytes":500,"codingMse1e4":1.0,"turningMse1e4":21.0}}})");
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 using testing::ElementsAre;
 
 Image plain(int size, int channels, std::uint8_t value) {
-  return {size, size, channels, ColourSpace::srgb, std::vector<std::uint8_t>(std::size_t(size * size * channels), value)};
+  return {size, size, channels, ColourSpace::srgb,
+          std::vector<std::uint8_t>(std::size_t(size * size * channels), value)};
 }
 
 std::vector<std::size_t> shown(int views, int frames, int rows = 1) {

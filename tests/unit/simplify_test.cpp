@@ -158,7 +158,8 @@ TEST(SimplifyOptimal, KeepsSomethingOfEverySmallPartWhenPartsAreAllThereIs) {
   for (int i = 0; i < 40; ++i) EXPECT_GE(faces_near(light.mesh, V3f(float(i) * 3, 0, 0), 1.5f), 4u) << i;
 }
 
-TEST(SimplifyOptimal, WhatCannotGetSimplerDoesNotOutlastTheBody) {  // holes hold ten faces each as long as topology is kept
+TEST(SimplifyOptimal,
+     WhatCannotGetSimplerDoesNotOutlastTheBody) {  // holes hold ten faces each as long as topology is kept
   TriMesh guitar = test::sphere(64, 32);
   for (int i = 0; i < 40; ++i) append(guitar, test::pierced_slab(4), V3f(1.2f, 0.05f * float(i), 0), 0.004f);
   TriMesh const light = simplify(guitar, to_triangles(400)).mesh;

@@ -16,7 +16,8 @@ namespace vitrine {
 namespace {
 
 SurfaceSamples samples_of(TriMesh mesh, std::size_t count) {
-  return sample_surface(survey(std::make_shared<SourceModel const>(clean(test::plain_model(std::move(mesh))).model)), count);
+  return sample_surface(survey(std::make_shared<SourceModel const>(clean(test::plain_model(std::move(mesh))).model)),
+                        count);
 }
 
 TEST(SurfaceSamples, FallByArea) {
@@ -78,15 +79,15 @@ TEST(FaceGrid, TakesEdgesForFaces) {
 TEST(FaceGrid, FindsWhatASearchThroughAllFacesFinds) {
   TriMesh mesh = test::bumpy_sphere(40, 20);
   TriMesh const slab = test::pierced_slab(2);
-  for (Triangle const& t : slab.triangles)
-    mesh.triangles.push_back({t[0] + 762, t[1] + 762, t[2] + 762});
+  for (Triangle const& t : slab.triangles) mesh.triangles.push_back({t[0] + 762, t[1] + 762, t[2] + 762});
   ASSERT_EQ(mesh.positions.size(), 762u);
   for (V3f const& p : slab.positions) mesh.positions.push_back(p * 0.3f + V3f(1, 0, 0));
   FaceGrid const grid(mesh, usual_reach(mesh));
   std::size_t found = 0;
   for (V3f const& from : mesh.positions)
     for (float out : {-0.9f, 0.1f, 0.6f, 2.f}) {
-      V3f const side = V3f(from.y, from.x, 0.3f).normalized(), point = from + V3f(0.3f, 0.5f, -0.8f) * (out * grid.reach());
+      V3f const side = V3f(from.y, from.x, 0.3f).normalized(),
+                point = from + V3f(0.3f, 0.5f, -0.8f) * (out * grid.reach());
       float least = grid.reach();
       bool any = false;
       for (Triangle const& t : mesh.triangles) {

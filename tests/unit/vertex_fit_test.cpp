@@ -29,7 +29,8 @@ TEST(VertexFit, GivesConstantsBackExactly) {
   V3f const value(0.25f, 0.5f, 0.75f);
   std::vector<V3f> const none(mesh.positions.size(), V3f(0));
   for (double smoothing : {0.0, 0.3, 1.0, 5.0})
-    for (V3f const& v : VertexFit(mesh, samples)(at_samples(samples, [&](V3f const&) { return value; }), none, smoothing))
+    for (V3f const& v :
+         VertexFit(mesh, samples)(at_samples(samples, [&](V3f const&) { return value; }), none, smoothing))
       EXPECT_EQ(v, value);
 }
 
@@ -39,8 +40,7 @@ TEST(VertexFit, ReproducesALinearRamp) {
   auto const ramp = [](V3f const& p) { return V3f(p.x, p.z, p.x - 2 * p.z) / 6; };
   std::vector<V3f> const none(mesh.positions.size(), V3f(0));
   std::vector<V3f> const fitted = VertexFit(mesh, samples)(at_samples(samples, ramp), none, 0);
-  for (std::size_t v = 0; v < fitted.size(); ++v)
-    EXPECT_LT((fitted[v] - ramp(mesh.positions[v])).length(), 0.01f);
+  for (std::size_t v = 0; v < fitted.size(); ++v) EXPECT_LT((fitted[v] - ramp(mesh.positions[v])).length(), 0.01f);
 }
 
 TEST(VertexFit, SmoothingOfOneIsTheMeanAround) {

@@ -67,7 +67,9 @@ TEST(WebpAnimation, WritesTheSameBytesAgain) {
   EXPECT_EQ(encode_animation(frames, 80, 100), encode_animation(frames, 80, 100));
 }
 
-TEST(WebpAnimation, OneFrameIsAnAnimationToo) { EXPECT_EQ(play(encode_animation({frame(1)}, 80, 100)).rgba.size(), 1u); }
+TEST(WebpAnimation, OneFrameIsAnAnimationToo) {
+  EXPECT_EQ(play(encode_animation({frame(1)}, 80, 100)).rgba.size(), 1u);
+}
 
 TEST(WebpAnimation, NothingIsNoAnimation) { EXPECT_THROW(encode_animation({}, 80, 100), Error); }
 

@@ -25,7 +25,9 @@ struct Pipe {
     ::close(read);
     if (write >= 0) ::close(write);
   }
-  void put(std::string_view bytes) const { ASSERT_EQ(::write(write, bytes.data(), bytes.size()), ssize_t(bytes.size())); }
+  void put(std::string_view bytes) const {
+    ASSERT_EQ(::write(write, bytes.data(), bytes.size()), ssize_t(bytes.size()));
+  }
 };
 
 std::string sent(json const& value) {

@@ -75,8 +75,9 @@ VertexMesh drawn(std::vector<NamedFile> const& files, Grid const& grid) {
 }
 
 TEST(WriteX3d, APageItsBuffersAndItsMaps) {
-  EXPECT_THAT(names(write_x3d(with_maps(), "Lucy", paper())),
-              ElementsAre("index.html", "index.bin", "coord.bin", "normal.bin", "texcoord.bin", "colour.jpg", "normal.png"));
+  EXPECT_THAT(
+      names(write_x3d(with_maps(), "Lucy", paper())),
+      ElementsAre("index.html", "index.bin", "coord.bin", "normal.bin", "texcoord.bin", "colour.jpg", "normal.png"));
   EXPECT_THAT(names(write_x3d(test::random_model(1), "Lucy", paper())), Not(testing::Contains("colour.jpg")));
 }
 

@@ -104,9 +104,7 @@ Fixture painted() {
 }
 
 /// A sphere of colours per vertex without normals: facets, lit.
-Fixture painted_facets() {
-  return {"painted_facets", test::coloured_model(3), {{"light", {0, 0, 1}}}};
-}
+Fixture painted_facets() { return {"painted_facets", test::coloured_model(3), {{"light", {0, 0, 1}}}}; }
 
 /// Vertices that name colours from all along two red rows of a palette that is blue otherwise: clients that read a
 /// smaller version of it show purple.
@@ -124,7 +122,8 @@ Fixture palette() {
   for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f)
     for (std::size_t c = 0; c < 3; ++c)
       model.corner_uvs[f][c] = {float(model.mesh.triangles[f][c] % 2 ? 14 : 1) * (1.f / 15), 4 * (1.f / 15)};
-  return {"palette", model, {{"light", {0, 0, 1}}, {"pixels", {pixel(0, 0, {255, 0, 0}), pixel(0.5, 0.3, {255, 0, 0})}}}};
+  return {
+      "palette", model, {{"light", {0, 0, 1}}, {"pixels", {pixel(0, 0, {255, 0, 0}), pixel(0.5, 0.3, {255, 0, 0})}}}};
 }
 
 /// A cube of linear colour 0.2 (124 in sRGB) without any map.
@@ -191,8 +190,15 @@ int main(int count, char** arguments) {
     return 2;
   }
   std::filesystem::path const folder = arguments[1];
-  std::vector<Fixture> fixtures{
-      unlit(), cut_out(), occluded(), charts(), painted(), painted_facets(), palette(), cube("cube", {0, 0, 0}), cube("far_cube", {4e6, -5e5, 3e6 + 0.125})};
+  std::vector<Fixture> fixtures{unlit(),
+                                cut_out(),
+                                occluded(),
+                                charts(),
+                                painted(),
+                                painted_facets(),
+                                palette(),
+                                cube("cube", {0, 0, 0}),
+                                cube("far_cube", {4e6, -5e5, 3e6 + 0.125})};
   for (Chart const& chart : kCharts)
     for (bool flat : {false, true}) fixtures.push_back(tilted(chart, flat));
   Json expected = Json::array();
@@ -200,7 +206,9 @@ int main(int count, char** arguments) {
     for (Profile profile : {Profile::web, Profile::plain, Profile::meshopt, Profile::core}) {
       std::string const file =
           fixture.name + "." + std::string(EnumNames<Profile>::names[static_cast<std::size_t>(profile)]) + ".glb";
-      io::publish_file(folder / file, io::encode(fixture.model, fixture.name, {.profile = profile, .colour_quality = 90, .normal_quality = 90}).glb);
+      io::publish_file(folder / file, io::encode(fixture.model, fixture.name,
+                                                 {.profile = profile, .colour_quality = 90, .normal_quality = 90})
+                                          .glb);
       Json entry = fixture.expect;
       entry["file"] = file;
       entry["centre"] = {fixture.model.origin.x, fixture.model.origin.y, fixture.model.origin.z};

@@ -13,7 +13,7 @@ struct Loss {
   std::vector<double> ratios;  ///< of errors, of the models that changed
   double similarity = 0;       ///< sum of what SSIM lost
   double most = 1;
-  std::string model;           ///< whose error grows most
+  std::string model;  ///< whose error grows most
   std::size_t models = 0;
 };
 
@@ -42,17 +42,18 @@ double mean_ratio(Loss const& loss) {
 
 Table ablation(Study const& study) {
   Trial const& whole = study.ablation.front();
-  Table table{"ablation",
-              fmt::format("What each choice of the search is worth, at {} KB", whole.setting.size),
-              {"without", "error, times", "SSIM lost", "models changed", "their error, times", "most: model", "most: times"},
-              {}};
+  Table table{
+      "ablation",
+      fmt::format("What each choice of the search is worth, at {} KB", whole.setting.size),
+      {"without", "error, times", "SSIM lost", "models changed", "their error, times", "most: model", "most: times"},
+      {}};
   for (std::size_t i = 1; i < study.ablation.size(); ++i) {
     Loss const found = loss(study, whole, study.ablation[i]);
     if (found.models == 0) continue;
     Choice const choice = study.ablation[i].setting.options.fit.without;
     table.rows.push_back({Cell(std::string(EnumNames<Choice>::names[std::size_t(choice)])), Cell(mean_ratio(found), 3),
                           Cell(found.similarity / double(found.models), 4), Cell(double(found.ratios.size()), 0),
-                          found.ratios.empty() ? Cell() : Cell(geometric_mean(found.ratios), 3), Cell(found.model), 
+                          found.ratios.empty() ? Cell() : Cell(geometric_mean(found.ratios), 3), Cell(found.model),
                           found.model.empty() ? Cell() : Cell(found.most, 2)});
   }
   return table;

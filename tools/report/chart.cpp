@@ -52,7 +52,8 @@ void draw_bar(Svg& svg, Axis const& axis, double y, StackedBar const& bar, std::
     sum += bar.parts[i];
     double const left = axis.at(before), width = axis.at(sum) - left;
     if (width >= 0.05)
-      svg.bar({left, y}, width, kLine, int(i), fmt::format("{}: {} {:.1f} {}", bar.label, names[i], bar.parts[i], unit));
+      svg.bar({left, y}, width, kLine, int(i),
+              fmt::format("{}: {} {:.1f} {}", bar.label, names[i], bar.parts[i], unit));
   }
   svg.words({axis.at(sum) + 5, y + 12.5}, Anchor::start, fmt::format("{:.1f}", sum), "small");
 }
@@ -134,7 +135,8 @@ Svg stacked_bars(ChartText const& text, std::string const& unit, std::vector<std
   return svg;
 }
 
-Svg log_curves(ChartText const& text, std::string const& x_title, std::string const& y_title, std::vector<Curve> const& all) {
+Svg log_curves(ChartText const& text, std::string const& x_title, std::string const& y_title,
+               std::vector<Curve> const& all) {
   std::vector<Curve> const curves = drawable(all);
   double const left = 64, right = kWidth - 48, top = 20, bottom = 336;
   Axis const x = log_axis(curves, &CurvePoint::x, left, right), y = log_axis(curves, &CurvePoint::y, bottom, top);

@@ -33,13 +33,16 @@ struct Curve {
   std::vector<CurvePoint> points;
 };
 
-/// Curves with a marker at each point. Points that are not above 0 have no place on a logarithmic axis and are left out.
-Svg log_curves(ChartText const& text, std::string const& x_title, std::string const& y_title, std::vector<Curve> const& curves);
+/// Curves with a marker at each point. Points that are not above 0 have no place on a logarithmic axis and are left
+/// out.
+Svg log_curves(ChartText const& text, std::string const& x_title, std::string const& y_title,
+               std::vector<Curve> const& curves);
 
 /// Round steps (1, 2 or 5 times a power of ten) from 0 to at least `most`, four to nine of them.
 std::vector<double> linear_ticks(double most);
 
-/// 1, 2 and 5 times powers of ten, from at most `least` to at least `most`; powers of ten alone over three decades or more.
+/// 1, 2 and 5 times powers of ten, from at most `least` to at least `most`; powers of ten alone over three decades or
+/// more.
 std::vector<double> log_ticks(double least, double most);
 
 /// As short as can be: "0.05", "2", "500".

@@ -22,7 +22,8 @@ std::vector<double> parts(Thumbnail const& t) {
 
 StackedBar mean_bar(Trial const& trial) {
   StackedBar bar{fmt::format("{0} x {0}", trial.setting.size), std::vector<double>(kParts.size(), 0.0)};
-  double const made = double(std::count_if(trial.thumbnails.begin(), trial.thumbnails.end(), [](auto const& t) { return bool(t); }));
+  double const made =
+      double(std::count_if(trial.thumbnails.begin(), trial.thumbnails.end(), [](auto const& t) { return bool(t); }));
   for (auto const& thumbnail : trial.thumbnails) {
     if (!thumbnail) continue;
     std::vector<double> const own = parts(*thumbnail);
@@ -55,7 +56,8 @@ Curve& series_curve(std::vector<Curve>& curves, std::string_view codec) {
 std::vector<std::size_t> common_models(Study const& study) {
   std::vector<std::size_t> out;
   for (std::size_t m = 0; m < study.gallery.models.size(); ++m)
-    if (std::all_of(study.trials.begin(), study.trials.end(), [&](Trial const& t) { return bool(t.thumbnails[m]); })) out.push_back(m);
+    if (std::all_of(study.trials.begin(), study.trials.end(), [&](Trial const& t) { return bool(t.thumbnails[m]); }))
+      out.push_back(m);
   return out;
 }
 
@@ -63,7 +65,9 @@ std::vector<std::size_t> common_models(Study const& study) {
 class MeanPoint {
  public:
   void add(double bytes, double mse1e4) { kilobytes_.push_back(bytes / 1000), errors_.push_back(mse1e4); }
-  CurvePoint point(std::string text) const { return {geometric_mean(kilobytes_), geometric_mean(errors_), std::move(text)}; }
+  CurvePoint point(std::string text) const {
+    return {geometric_mean(kilobytes_), geometric_mean(errors_), std::move(text)};
+  }
 
  private:
   std::vector<double> kilobytes_, errors_;
@@ -78,16 +82,18 @@ Svg draw(ChartText const& text, std::vector<Curve> const& curves) {
 Svg figure4(Study const& study) {
   std::vector<StackedBar> bars;
   for (Model const& model : study.gallery.models) bars.push_back({model.title, parts(model.thumbnail)});
-  return stacked_bars({"figure4", "Figure 4. Bytes of this gallery's thumbnails",
-                       "One bar for each model, its bytes in KB by geometry, colour map, normal map, occlusion map and the rest."},
-                      "KB (1000 bytes)", kParts, bars);
+  return stacked_bars(
+      {"figure4", "Figure 4. Bytes of this gallery's thumbnails",
+       "One bar for each model, its bytes in KB by geometry, colour map, normal map, occlusion map and the rest."},
+      "KB (1000 bytes)", kParts, bars);
 }
 
 Svg figure4_by_texture(Study const& study) {
   std::vector<StackedBar> bars;
   for (Trial const* trial : paper_trials(study)) bars.push_back(mean_bar(*trial));
   return stacked_bars({"figure4texture", "Figure 4, continued. Mean bytes with the paper's choices, by texture size",
-                       "One bar for each texture size: mean KB over the models by geometry, colour map, normal map, occlusion map and the rest."},
+                       "One bar for each texture size: mean KB over the models by geometry, colour map, normal map, "
+                       "occlusion map and the rest."},
                       "KB (1000 bytes)", kParts, bars);
 }
 
@@ -112,23 +118,27 @@ Svg curves_of_all(Study const& study) {
     }
     series_curve(curves, series[i].codec).points.push_back(mean.point(std::to_string(series[i].frames)));
   }
-  return draw({"curves", fmt::format("Error over bytes, geometric means of {} models", models.size()),
-               "Thumbnails at several settings, and image series of 8, 16 and 32 views with their turning error. Lower and "
-               "further left is better."},
-              curves);
+  return draw(
+      {"curves", fmt::format("Error over bytes, geometric means of {} models", models.size()),
+       "Thumbnails at several settings, and image series of 8, 16 and 32 views with their turning error. Lower and "
+       "further left is better."},
+      curves);
 }
 
 Svg curves_of(Study const& study, std::size_t m) {
   Model const& model = study.gallery.models[m];
   std::vector<Curve> curves = named_curves(model.thumbnail.series);
   for (Trial const& trial : study.trials)
-    if (auto const& thumbnail = trial.thumbnails[m]) curves[trial.setting.paper].points.push_back(point(*thumbnail, std::to_string(trial.setting.size)));
+    if (auto const& thumbnail = trial.thumbnails[m])
+      curves[trial.setting.paper].points.push_back(point(*thumbnail, std::to_string(trial.setting.size)));
   curves[2].points.push_back(point(model.thumbnail, ""));
   for (RivalSeries const& s : model.thumbnail.series)
-    series_curve(curves, s.codec).points.push_back({double(s.bytes) / 1000, s.turning_mse1e4, std::to_string(s.frames)});
-  return draw({fmt::format("curves{}", m), "Error over bytes: " + model.title,
-               "Thumbnails at several settings, and image series with their turning error. Lower and further left is better."},
-              curves);
+    series_curve(curves, s.codec)
+        .points.push_back({double(s.bytes) / 1000, s.turning_mse1e4, std::to_string(s.frames)});
+  return draw(
+      {fmt::format("curves{}", m), "Error over bytes: " + model.title,
+       "Thumbnails at several settings, and image series with their turning error. Lower and further left is better."},
+      curves);
 }
 
 }  // namespace vitrine::report

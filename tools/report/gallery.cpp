@@ -28,7 +28,8 @@ auto of_file(fs::path const& file, Read const& read) {
 /// A folder's name that leads nowhere else.
 std::string slug_of(Json const& row) {
   std::string const slug = fs::path(row.at("certificate").get<std::string>()).parent_path().filename();
-  bool const plain = !slug.empty() && slug.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+  bool const plain =
+      !slug.empty() && slug.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
   if (!plain) throw Error(ErrorKind::invalid_input, "a model's folder has the name '" + slug + "'", kRemedy);
   return slug;
 }
@@ -57,7 +58,8 @@ Model read_model(fs::path const& gallery, Json const& row) {
 Json read_json(fs::path const& file) {
   return of_file(file, [&] {
     Json json = Json::parse(io::text(io::map_file(file)));
-    if (json.at("schema") != 1) throw Error(ErrorKind::invalid_input, "its schema is " + json["schema"].dump() + ", not 1", kRemedy);
+    if (json.at("schema") != 1)
+      throw Error(ErrorKind::invalid_input, "its schema is " + json["schema"].dump() + ", not 1", kRemedy);
     return json;
   });
 }
@@ -86,7 +88,8 @@ Thumbnail read_thumbnail(Json const& certificate) try {
 Gallery read_gallery(fs::path const& folder) {
   fs::path const file = folder / "report.json";
   if (!fs::exists(file))
-    throw Error(ErrorKind::invalid_input, "no report.json in " + folder.string(), "name a folder that vitrine convert made");
+    throw Error(ErrorKind::invalid_input, "no report.json in " + folder.string(),
+                "name a folder that vitrine convert made");
   return of_file(file, [&] {
     Json const report = read_json(file);
     Gallery gallery{folder, report.at("archive").get<std::string>(), report.at("options"), {}, {}, {}};
@@ -98,15 +101,15 @@ Gallery read_gallery(fs::path const& folder) {
         gallery.left_out.push_back(row.at("input"));
     }
     if (gallery.models.empty())
-      throw Error(ErrorKind::invalid_input, "no model of the gallery has a certificate", "convert without --no-certificate");
+      throw Error(ErrorKind::invalid_input, "no model of the gallery has a certificate",
+                  "convert without --no-certificate");
     return gallery;
   });
 }
 
 std::size_t series_bytes(Thumbnail const& thumbnail, std::string_view codec, int frames) {
-  auto const found = std::find_if(thumbnail.series.begin(), thumbnail.series.end(), [&](RivalSeries const& s) {
-    return s.codec == codec && s.frames == frames;
-  });
+  auto const found = std::find_if(thumbnail.series.begin(), thumbnail.series.end(),
+                                  [&](RivalSeries const& s) { return s.codec == codec && s.frames == frames; });
   return found == thumbnail.series.end() ? 0 : found->bytes;
 }
 

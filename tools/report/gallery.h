@@ -28,8 +28,8 @@ struct Thumbnail {
 struct Model {
   std::string input;  ///< path in the archive
   std::string title;
-  std::string slug;   ///< name of its folder: [a-z0-9-]
-  std::string up;     ///< axis that points up in the original: "y" or "z"
+  std::string slug;  ///< name of its folder: [a-z0-9-]
+  std::string up;    ///< axis that points up in the original: "y" or "z"
   bool coloured = false;
   std::uint64_t bytes = 0, triangles = 0;  ///< of the original
   Thumbnail thumbnail;

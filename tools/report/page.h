@@ -17,9 +17,10 @@ struct Picture {
 
 /// Figures 1 and 5.
 struct Pictures {
-  std::string subject;                      ///< title of the model whose stages are shown
-  std::vector<Picture> stages;              ///< from original to thumbnail
-  std::vector<std::optional<Picture>> sides;  ///< for each model: original, thumbnail, difference; none where one is gone
+  std::string subject;          ///< title of the model whose stages are shown
+  std::vector<Picture> stages;  ///< from original to thumbnail
+  std::vector<std::optional<Picture>>
+      sides;  ///< for each model: original, thumbnail, difference; none where one is gone
 };
 
 /// Writes the page last, so that it never names what is not there. The same bytes for the same study.

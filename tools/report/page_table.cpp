@@ -42,11 +42,16 @@ Table page_table(Gallery const& gallery) {
 
 Table wait_table(Gallery const& gallery) {
   Json const measured = gallery.page.value("measured", Json::object());
-  Table table{"page-measured", fmt::format("Waited for, in seconds; decoding one object took {:.0f} ms", measured.value("decoding", 0.0)),
-              {"objects as", "Mbit/s", "latency, ms", "first poster", "first object", "loaded by then, KB", "all in view", "loaded by then, KB"}, {}};
+  Table table{
+      "page-measured",
+      fmt::format("Waited for, in seconds; decoding one object took {:.0f} ms", measured.value("decoding", 0.0)),
+      {"objects as", "Mbit/s", "latency, ms", "first poster", "first object", "loaded by then, KB", "all in view",
+       "loaded by then, KB"},
+      {}};
   for (Json const& visit : measured.value("visits", Json::array())) {
-    std::vector<Cell> cells{Cell(visit.at("view") == "3d" ? "3D" : "pictures, one axis"), Cell(visit.at("megabits").get<double>(), 1),
-                            Cell(visit.at("latency").get<double>(), 0), Cell(visit.at("poster").get<double>(), 1)};
+    std::vector<Cell> cells{Cell(visit.at("view") == "3d" ? "3D" : "pictures, one axis"),
+                            Cell(visit.at("megabits").get<double>(), 1), Cell(visit.at("latency").get<double>(), 0),
+                            Cell(visit.at("poster").get<double>(), 1)};
     for (char const* when : {"first", "all"}) {
       cells.push_back(Cell(visit.at(when).get<double>(), 1));
       cells.push_back(Cell(visit.at("bytes").at(when).get<double>() / 1000, 0));

@@ -49,7 +49,8 @@ void add_means(Table& table) {
 }
 
 /// Columns for each texture size of the paper's thumbnails, then one for the gallery's own.
-Table by_texture(Study const& study, std::string name, std::string caption, double (*figure)(Thumbnail const&), int digits) {
+Table by_texture(Study const& study, std::string name, std::string caption, double (*figure)(Thumbnail const&),
+                 int digits) {
   Table table{std::move(name), std::move(caption), {"model"}, {}};
   for (Trial const* trial : paper_trials(study)) table.columns.push_back(fmt::format("{0} x {0}", trial->setting.size));
   table.columns.push_back("this gallery");
@@ -66,8 +67,8 @@ Table by_texture(Study const& study, std::string name, std::string caption, doub
 std::vector<Cell> verdict_row(Model const& model) {
   Thumbnail const& thumbnail = model.thumbnail;
   Verdict const found = verdict(thumbnail.bytes, thumbnail.mse1e4, thumbnail.series);
-  std::vector<Cell> row{Cell(model.title), Cell(found.thumbnail_wins ? "3D" : "series"), Cell(kilobytes(thumbnail.bytes), 1),
-                        Cell(thumbnail.mse1e4, 2)};
+  std::vector<Cell> row{Cell(model.title), Cell(found.thumbnail_wins ? "3D" : "series"),
+                        Cell(kilobytes(thumbnail.bytes), 1), Cell(thumbnail.mse1e4, 2)};
   if (found.rival)
     row.insert(row.end(), {Cell(fmt::format("{} frames, {}", found.rival->frames, codec_name(found.rival->codec))),
                            Cell(kilobytes(found.rival->bytes), 1), Cell(found.rival->turning_mse1e4, 2)});
@@ -90,11 +91,12 @@ std::string codec_name(std::string_view codec) {
 }
 
 Table table1(Study const& study) {
-  Table table{"table1", "Table 1. The models", {"model", "file", "format", "colour", "triangles", "size, MB", "covers, %"}, {}};
+  Table table{
+      "table1", "Table 1. The models", {"model", "file", "format", "colour", "triangles", "size, MB", "covers, %"}, {}};
   for (Model const& model : study.gallery.models)
     table.rows.push_back({Cell(model.title), Cell(model.input), Cell(format_name(model.input)),
-                          Cell(model.coloured ? "coloured" : "none"), Cell(double(model.triangles), 0), Cell(double(model.bytes) / 1e6, 2),
-                          Cell(100 * model.thumbnail.coverage, 1)});
+                          Cell(model.coloured ? "coloured" : "none"), Cell(double(model.triangles), 0),
+                          Cell(double(model.bytes) / 1e6, 2), Cell(100 * model.thumbnail.coverage, 1)});
   return table;
 }
 
@@ -113,8 +115,9 @@ Table table2(Study const& study) {
 }
 
 Table table3(Study const& study) {
-  Table table = by_texture(study, "table3", "Table 3. Thumbnails: KB by texture size with the paper's choices, image series beside",
-                           [](Thumbnail const& t) { return kilobytes(t.delivered); }, 1);
+  Table table = by_texture(
+      study, "table3", "Table 3. Thumbnails: KB by texture size with the paper's choices, image series beside",
+      [](Thumbnail const& t) { return kilobytes(t.delivered); }, 1);
   table.columns.insert(table.columns.end(), {"8 views JPEG q90", "8 views WebP q80"});
   for (std::size_t m = 0; m < table.rows.size(); ++m)
     for (char const* codec : {"jpeg90", "webp80"})
@@ -124,8 +127,9 @@ Table table3(Study const& study) {
 }
 
 Table table4(Study const& study) {
-  Table table = by_texture(study, "table4", "Table 4. Thumbnails: mean square error x 10^4 by texture size with the paper's choices",
-                           [](Thumbnail const& t) { return t.mse1e4; }, 2);
+  Table table = by_texture(
+      study, "table4", "Table 4. Thumbnails: mean square error x 10^4 by texture size with the paper's choices",
+      [](Thumbnail const& t) { return t.mse1e4; }, 2);
   add_means(table);
   return table;
 }

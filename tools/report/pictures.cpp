@@ -65,11 +65,14 @@ Picture side_by_side(Gallery const& gallery, Model const& model, SurveyedModel c
   Reference seen = viewpoints(original, measured(model));
   std::size_t const worst = std::min(model.thumbnail.worst_view, seen.cameras.size() - 1);
   seen.cameras = worst == 0 ? std::vector{seen.cameras[0]} : std::vector{seen.cameras[0], seen.cameras[worst]};
-  Image const sheet = contact_sheet(pictures(original, seen), pictures(surveyed(read_thumbnail_file(gallery.folder, model)), seen));
-  std::string const views = worst == 0 ? "View 0, the worst." : fmt::format("View 0 above, view {}, the worst, below.", worst);
-  return publish_picture(sheet, gallery.folder, "paper/figure5-" + model.slug + ".png",
-                         fmt::format("{} {:.1f} KB, MSE x 10^4 {:.2f}, SSIM {:.3f}.", views, double(model.thumbnail.bytes) / 1000,
-                                     model.thumbnail.mse1e4, model.thumbnail.ssim));
+  Image const sheet =
+      contact_sheet(pictures(original, seen), pictures(surveyed(read_thumbnail_file(gallery.folder, model)), seen));
+  std::string const views =
+      worst == 0 ? "View 0, the worst." : fmt::format("View 0 above, view {}, the worst, below.", worst);
+  return publish_picture(
+      sheet, gallery.folder, "paper/figure5-" + model.slug + ".png",
+      fmt::format("{} {:.1f} KB, MSE x 10^4 {:.2f}, SSIM {:.3f}.", views, double(model.thumbnail.bytes) / 1000,
+                  model.thumbnail.mse1e4, model.thumbnail.ssim));
 }
 
 // ---- Figure 1
@@ -109,10 +112,12 @@ SourceModel bare(TriMesh const& mesh) {
 
 void add_maps(SourceModel const& thumbnail, Gallery const& gallery, std::vector<Picture>& out) {
   Material const& material = thumbnail.materials.front();
-  for (auto const& [use, name, caption] : {std::tuple(material.colour_map.image, "colour", "the atlas: colours of the original"),
-                                           std::tuple(material.normal_map.image, "normal", "the atlas: normals of the original")})
+  for (auto const& [use, name, caption] :
+       {std::tuple(material.colour_map.image, "colour", "the atlas: colours of the original"),
+        std::tuple(material.normal_map.image, "normal", "the atlas: normals of the original")})
     if (use >= 0)
-      out.push_back(publish_picture(shown_map(thumbnail.images[use]), gallery.folder, fmt::format("paper/figure1-{}.png", name), caption));
+      out.push_back(publish_picture(shown_map(thumbnail.images[use]), gallery.folder,
+                                    fmt::format("paper/figure1-{}.png", name), caption));
 }
 
 bool has_atlas(Model const& model) { return model.certificate.at("mesh").at("charts") > 0; }
@@ -131,15 +136,19 @@ std::vector<Picture> stages_of(Gallery const& gallery, Model const& model, Surve
 
   std::vector<Picture> out;
   auto const add = [&](Image const& image, char const* name, std::string caption) {
-    out.push_back(publish_picture(image, gallery.folder, fmt::format("paper/figure1-{}.png", name), std::move(caption)));
+    out.push_back(
+        publish_picture(image, gallery.folder, fmt::format("paper/figure1-{}.png", name), std::move(caption)));
   };
   add(view(original, cameras, !model.coloured), "original", "the scan: " + counted(model.triangles));
-  add(view(surveyed(bare(light.mesh)), cameras, true), "simplified", "simplified: " + counted(light.mesh.triangles.size()));
+  add(view(surveyed(bare(light.mesh)), cameras, true), "simplified",
+      "simplified: " + counted(light.mesh.triangles.size()));
   if (has_atlas(model))
-    add(view(surveyed(chart_coloured(charts)), cameras, false), "charts", fmt::format("cut into {} charts", charts.charts));
+    add(view(surveyed(chart_coloured(charts)), cameras, false), "charts",
+        fmt::format("cut into {} charts", charts.charts));
   if (has_atlas(model)) add_maps(thumbnail, gallery, out);
   bool const plain = !model.coloured && thumbnail.materials.front().colour_map.image < 0;
-  add(view(surveyed(std::move(thumbnail)), cameras, plain), "thumbnail", fmt::format("the thumbnail: {:.1f} KB", double(model.thumbnail.bytes) / 1000));
+  add(view(surveyed(std::move(thumbnail)), cameras, plain), "thumbnail",
+      fmt::format("the thumbnail: {:.1f} KB", double(model.thumbnail.bytes) / 1000));
   return out;
 }
 
@@ -178,7 +187,8 @@ Pictures publish_pictures(Study const& study, io::Archive const& archive) {
       if (m == shown) out.stages = stages_of(gallery, gallery.models[m], original);
     } catch (...) {
       graph::Failure const failure = graph::current_failure("picture");
-      fmt::print(stderr, "error: {}: {}\n", tools::printable(gallery.models[m].input), tools::printable(failure.reason));
+      fmt::print(stderr, "error: {}: {}\n", tools::printable(gallery.models[m].input),
+                 tools::printable(failure.reason));
     }
   return out;
 }

@@ -7,8 +7,8 @@
 
 namespace vitrine::report {
 
-/// Renders and writes the pictures into GALLERY/paper/. An original or thumbnail that can no longer be read or drawn leaves
-/// a gap, told on stderr. In: the originals, in the gallery's order.
+/// Renders and writes the pictures into GALLERY/paper/. An original or thumbnail that can no longer be read or drawn
+/// leaves a gap, told on stderr. In: the originals, in the gallery's order.
 Pictures publish_pictures(Study const& study, io::Archive const& archive);
 
 /// Each face in the colour of its chart; neighbours among the numbers differ most.

@@ -25,7 +25,8 @@ int report(ReportCommand const& command) {
   if (command.ablation) ablation = run_trials(gallery, archive, ablation_settings(made_with), command.run);
   Study const study{std::move(gallery), std::move(trials), std::move(ablation)};
   publish_page(study, publish_pictures(study, archive));
-  fmt::print("{} models: {}\n", study.gallery.models.size(), tools::printable((command.gallery / "paper.html").string()));
+  fmt::print("{} models: {}\n", study.gallery.models.size(),
+             tools::printable((command.gallery / "paper.html").string()));
   return 0;
 }
 

@@ -43,7 +43,8 @@ std::vector<Setting> ablation_settings(graph::ModelOptions const& gallery) {
   for (std::size_t choice = 0; choice < EnumNames<Choice>::names.size(); ++choice) {
     Setting setting = ceiling(int(FitOptions{}.max_kb));
     setting.options.fit.without = Choice(choice);
-    if (setting.options.fit.without != Choice::none) setting.name = "without-" + std::string(EnumNames<Choice>::names[choice]);
+    if (setting.options.fit.without != Choice::none)
+      setting.name = "without-" + std::string(EnumNames<Choice>::names[choice]);
     out.push_back(std::move(setting));
   }
   return as_measured(std::move(out), gallery);

@@ -14,9 +14,9 @@ namespace vitrine::report {
 
 /// A way to make thumbnails.
 struct Setting {
-  std::string name;     ///< "paper-256"; of its folder, too
-  bool paper = false;   ///< the paper's choices, else Vitrine's search
-  int size = 0;         ///< texels a side of the paper's textures; KB that the search may spend
+  std::string name;    ///< "paper-256"; of its folder, too
+  bool paper = false;  ///< the paper's choices, else Vitrine's search
+  int size = 0;        ///< texels a side of the paper's textures; KB that the search may spend
   graph::ModelOptions options;
 };
 
@@ -29,7 +29,8 @@ struct Trial {
 struct Study {
   Gallery gallery;
   std::vector<Trial> trials;
-  std::vector<Trial> ablation;  ///< the search with everything, then without each of its choices; none where not asked for
+  std::vector<Trial>
+      ablation;  ///< the search with everything, then without each of its choices; none where not asked for
 };
 
 /// The paper's choices at each texture size, and Vitrine's search under rising ceilings; originals read and measured as

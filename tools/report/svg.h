@@ -28,10 +28,11 @@ class Svg {
   Svg(std::string id, double width, double height, std::string title, std::string description);
 
   void bar(Point corner, double width, double height, int hue, std::string_view tip);
-  void rule(Point from, Point to);  ///< thin: a grid line or an axis
+  void rule(Point from, Point to);                        ///< thin: a grid line or an axis
   void curve(std::vector<Point> const& points, int hue);  ///< each hue has its own dashes
   void marker(Point at, int hue, std::string_view tip);   ///< each hue has its own shape
-  void words(Point at, Anchor anchor, std::string_view text, std::string_view style = "");  ///< style: "small", "strong"
+  void words(Point at, Anchor anchor, std::string_view text,
+             std::string_view style = "");              ///< style: "small", "strong"
   void words_upwards(Point at, std::string_view text);  ///< turned by a quarter, centred
 
   std::string const& title() const { return title_; }

@@ -15,7 +15,9 @@ std::string grouped(std::string number) {
   return number;
 }
 
-std::string plain(Cell const& cell) { return cell.number ? fmt::format("{:.{}f}", *cell.number, cell.digits) : cell.text; }
+std::string plain(Cell const& cell) {
+  return cell.number ? fmt::format("{:.{}f}", *cell.number, cell.digits) : cell.text;
+}
 
 bool numeric(Table const& table, std::size_t column) {
   for (auto const& row : table.rows)
@@ -42,7 +44,8 @@ std::string to_html(Table const& table) {
   std::string out = "<div class=\"table\" role=\"region\" tabindex=\"0\" aria-label=\"" + html(table.caption) +
                     "\"><table>\n<caption>" + html(table.caption) + "</caption>\n<thead><tr>";
   for (std::size_t c = 0; c < table.columns.size(); ++c)
-    out += std::string("<th scope=\"col\"") + (numeric(table, c) ? " class=\"number\">" : ">") + html(table.columns[c]) + "</th>";
+    out += std::string("<th scope=\"col\"") + (numeric(table, c) ? " class=\"number\">" : ">") +
+           html(table.columns[c]) + "</th>";
   out += "</tr></thead>\n<tbody>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     if (r + table.summary_rows == table.rows.size()) out += "</tbody>\n<tbody class=\"summary\">\n";

@@ -26,7 +26,8 @@ fs::path trial_folder(Gallery const& gallery, Setting const& setting) {
 
 /// Whether a certificate is about this input, these options and this program.
 bool answers(Json const& certificate, Setting const& setting, Model const& model) {
-  return certificate.at("input") == model.certificate.at("input") && certificate.at("program") == Json(graph::program_json()) &&
+  return certificate.at("input") == model.certificate.at("input") &&
+         certificate.at("program") == Json(graph::program_json()) &&
          certificate.at("options") == Json(graph::options_json(setting.options));
 }
 
@@ -48,8 +49,8 @@ double cost(io::ArchiveEntry const& entry) { return 3e5 + double(entry.estimate.
 /// What of a trial there is, and what is to be made.
 struct Plan {
   Trial trial;
-  io::Archive archive;               ///< of what is to be made
-  std::vector<std::size_t> models;   ///< for each entry, its model
+  io::Archive archive;              ///< of what is to be made
+  std::vector<std::size_t> models;  ///< for each entry, its model
 };
 
 Plan plan(Gallery const& gallery, io::Archive const& archive, Setting const& setting) {
@@ -75,7 +76,8 @@ void run(Plan& todo, Gallery const& gallery, graph::RunOptions machine, graph::P
     if (row.status != "done")
       progress.say(tools::printable(setting.name + ": " + graph::describe(row)));
     else if (!made)
-      progress.say(tools::printable("error: " + model.input + ": changed since the gallery was made; run vitrine convert again"));
+      progress.say(tools::printable("error: " + model.input +
+                                    ": changed since the gallery was made; run vitrine convert again"));
   });
 }
 
@@ -89,7 +91,8 @@ io::Archive originals(Gallery const& gallery) {
   for (Model const& model : gallery.models) {
     auto const found = by_slug.find(model.slug);
     if (found == by_slug.end())
-      throw Error(ErrorKind::invalid_input, "the original " + model.input + " is no longer in " + gallery.archive.string(),
+      throw Error(ErrorKind::invalid_input,
+                  "the original " + model.input + " is no longer in " + gallery.archive.string(),
                   "put it back, say --archive DIR where the originals are, or run vitrine convert again");
     out.entries.push_back(*found->second);
     out.entries.back().up = model.up == "z" ? io::UpAxis::z : io::UpAxis::y;

@@ -11,8 +11,8 @@ namespace vitrine::report {
 /// Errors: those of read_archive; InvalidInput, naming it, when one is gone.
 io::Archive originals(Gallery const& gallery);
 
-/// Converts into GALLERY/.vitrine/report/SETTING/, a gallery of its own kind. What an earlier run left there from the same
-/// input, by the same options and program, is kept. A model that fails is told on stderr and leaves a gap.
+/// Converts into GALLERY/.vitrine/report/SETTING/, a gallery of its own kind. What an earlier run left there from the
+/// same input, by the same options and program, is kept. A model that fails is told on stderr and leaves a gap.
 /// Out: one trial for each setting. Progress on stderr.
 std::vector<Trial> run_trials(Gallery const& gallery, io::Archive const& archive, std::vector<Setting> const& settings,
                               graph::RunOptions const& machine);
