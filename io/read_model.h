@@ -2,12 +2,13 @@
 #pragma once
 /// Bytes to SourceModel.
 ///
-/// | format   | kept                                                                                                |
-/// |----------|-----------------------------------------------------------------------------------------------------|
-/// | PLY      | ascii, little and big endian; faces or tristrips; normals, colours (vertex, face), uv (vertex, corner),
-/// TextureFile | | OBJ+MTL  | polygons, negative indices, vertex colours, normals, uv; Kd, map_Kd, d, Tr, norm of
-/// several materials | | STL      | ascii, binary; binary facet colours are not read
-/// | | OFF      | [ST][C][N]OFF ascii; colours of vertices or faces, as bytes or 0..1                                |
+/// | format   | kept                                                                                                 |
+/// |----------|------------------------------------------------------------------------------------------------------|
+/// | PLY      | ascii, little and big endian; faces or tristrips; normals, colours and uv of vertices, TextureFile;  |
+/// |          | colours of faces, uv of corners                                                                      |
+/// | OBJ+MTL  | polygons, negative indices, vertex colours, normals, uv; Kd, map_Kd, d, Tr, norm of several materials |
+/// | STL      | ascii, binary; binary facet colours are not read                                                     |
+/// | OFF      | [ST][C][N]OFF ascii; colours of vertices or faces, as bytes or 0..1                                  |
 /// | glTF/GLB | rest pose of the default scene; Draco, meshopt, quantisation, texture transform, data URIs, COLOR_0  |
 ///
 /// Hostile input is normal: counts are believed only as far as bytes are present, every index is checked here, before a
