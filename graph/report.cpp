@@ -62,7 +62,7 @@ json recipe_json(Recipe const& r, int map_quality) {
               {"painting", shown(r.painting)},
               {"positionBits", r.position_bits},
               {"colourWeight", r.colour_weight}};
-  if (r.shading == Shading::smooth) out.update({{"normalBits", r.normal_bits}, {"fitted", r.fitted}});
+  if (has_normals(r)) out.update({{"normalBits", r.normal_bits}, {"fitted", r.fitted}});
   if (r.painting == Painting::vertices) out.update({{"colourBits", r.colour_bits}, {"smoothing", r.smoothing}});
   if (r.painting == Painting::map) out.update({{"unfolding", shown(r.unfolding)}});
   if (is_textured(r)) out.update({{"texture", r.texture}, {"mapQuality", map_quality}, {"avif", r.avif}});

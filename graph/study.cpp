@@ -18,7 +18,7 @@ ModelOptions with_recipe(ModelOptions options, Recipe const& recipe) {
   options.pack.texture = recipe.texture;
   options.bake.samples = 4;
   options.bake.normal_map = false;
-  options.bake.vertex_normals = recipe.shading == Shading::smooth;
+  options.bake.vertex_normals = has_normals(recipe);
   if (recipe.map_quality > 0) options.encode.colour_quality = recipe.map_quality;
   if (recipe.avif) options.encode.colour_codec = MapCodec::avif;
   return options;

@@ -19,7 +19,7 @@ bool refits(Job const& job) { return job.study->recipe().fitted && job.study->op
 /// Where vertices bear normals, the slopes of the faces do not show.
 RefitOptions refit_options(Recipe const& recipe) {
   RefitOptions options;
-  if (recipe.shading == Shading::smooth) options.facet_weight = 0;
+  if (has_normals(recipe)) options.facet_weight = 0;
   return options;
 }
 
@@ -40,9 +40,9 @@ SimplifiedMesh shape_model(Job& job) {
 BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   Recipe const& recipe = job.study->recipe();
   if (recipe.painting == Painting::own)
-    return wear_own_texture(
-        light, *job.levels->textured, job.original->model(), job.original->samples,
-        {recipe.position_bits, recipe.texture, recipe.shading == Shading::smooth, recipe.normal_bits});
+    return wear_own_texture(light, *job.levels->textured, job.original->model(), job.original->samples,
+                            {recipe.position_bits, recipe.texture, has_normals(recipe),
+                             recipe.shading == Shading::creased, recipe.normal_bits});
   Grid const grid = cube_about(light.mesh, recipe.position_bits);
   QuantizedMesh const placed = refits(job)
                                    ? round_to_grid(light.mesh, grid, job.original->samples, refit_options(recipe))
@@ -51,7 +51,8 @@ BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
   options.colour_bits = recipe.colour_bits;
   options.smoothing = recipe.smoothing;
   options.palette = job.study->options().fit.without != Choice::palette;
-  options.normals = recipe.shading == Shading::smooth;
+  options.normals = has_normals(recipe);
+  options.creases = recipe.shading == Shading::creased;
   options.normal_bits = recipe.normal_bits;
   return paint(placed, job.original->model(), job.original->samples, options);
 }
@@ -83,6 +84,9 @@ BakedModel bake_maps(std::shared_ptr<Atlas const> const& atlas, Job& job) {
   wanted.derived_normals = options.encode.x3dom;
   BakedModel baked = bake(quantize(*atlas, options.quantize), job.original->model(), wanted);
   job.row.bake = baked.statistics;
+  if (Recipe const& recipe = job.study->recipe(); recipe.shading == Shading::creased)
+    wear_normals(baked, job.original->model(), job.original->samples,
+                 {.creases = true, .normal_bits = recipe.normal_bits});
   return baked;
 }
 

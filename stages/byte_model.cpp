@@ -14,11 +14,14 @@ constexpr double kBitsAtNone = 0.25, kBitsPerQuality = 0.009;  ///< of a texel
 
 double expected_bytes_per_triangle(Recipe const& recipe) {
   double bytes = kBytesPerBit * (recipe.position_bits - 3.7);
-  if (recipe.shading == Shading::smooth) bytes += 0.06 * recipe.normal_bits + 0.1;
+  if (has_normals(recipe)) bytes += 0.06 * recipe.normal_bits + 0.1;
   if (recipe.painting == Painting::vertices) bytes += 0.1 * recipe.colour_bits - 0.15;
   if (is_textured(recipe)) bytes += 0.7;
   return bytes;
 }
+
+/// How many normals that takes is the original's own.
+bool is_creased(Recipe const& recipe) { return recipe.shading == Shading::creased; }
 
 double expected_map_bytes(Recipe const& recipe) {
   if (!is_textured(recipe)) return 0;
@@ -55,8 +58,12 @@ double relative_size(Recipe const& one, Recipe const& other) {
 
 ByteModel::ByteModel(Recipe const& recipe, std::span<Trial const> history)
     : per_triangle_(expected_bytes_per_triangle(recipe)), map_(expected_map_bytes(recipe)) {
+  bool alike = false;
   for (Trial const& trial : history) {
     if (trial.recipe.painting != recipe.painting || std::isinf(trial.error)) continue;
+    bool const same = is_creased(trial.recipe) == is_creased(recipe);
+    if (alike && !same) continue;
+    alike = same;
     per_triangle_ = bytes_per_triangle(trial) * relative_size(recipe, trial.recipe);
     if (is_textured(recipe) && trial.map_bytes > 0)
       map_ = double(trial.map_bytes) * expected_map_bytes(recipe) / expected_map_bytes(trial.recipe);

@@ -22,8 +22,8 @@ double bytes_per_triangle(Trial const& trial);
 /// Of a triangle of the one to a triangle of the other.
 double relative_size(Recipe const& one, Recipe const& other);
 
-/// From what the last trial of the same painting took, scaled to the recipe's bits and texels; rough figures, measured
-/// on scans, where there is none yet.
+/// From what the last trial of the same painting took, parted at creases likewise if there is one, scaled to the recipe's bits
+/// and texels; rough figures, measured on scans, where there is none yet.
 class ByteModel {
  public:
   ByteModel(Recipe const& recipe, std::span<Trial const> history);

@@ -233,6 +233,8 @@ TriMesh weld(SourceModel const& model) {
   return welded;
 }
 
+std::vector<std::uint32_t> shared_places(TriMesh const& mesh) { return find_places(mesh.positions); }
+
 std::vector<std::uint32_t> merged_places(TriMesh const& mesh) {
   if (mesh.positions.size() > mesh.triangles.size()) return find_places(mesh.positions);
   std::vector<std::uint32_t> self(mesh.positions.size());

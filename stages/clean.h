@@ -32,8 +32,10 @@ CleanModel clean(SourceModel model);
 /// The order of vertices follows the first use in the source; the result may be non-manifold.
 TriMesh weld(SourceModel const& model);
 
-/// For each vertex the first one at the same place; itself where vertices are shared anyhow: where they are no more
-/// than faces.
+/// For each vertex the first one at the same place.
+std::vector<std::uint32_t> shared_places(TriMesh const& mesh);
+
+/// The same, but itself where vertices are shared anyhow: where they are no more than faces.
 std::vector<std::uint32_t> merged_places(TriMesh const& mesh);
 
 /// Area-weighted smooth normals, one per vertex (a vertex without area gets +Y). Vertices at equal places count as one.

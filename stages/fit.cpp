@@ -65,6 +65,7 @@ class Search : private Inquiry {
                                                          {Choice::none, &Search::choose_quality},
                                                          {Choice::unfolding, &Search::choose_unfolding},
                                                          {Choice::normals, &Search::choose_shading},
+                                                         {Choice::creases, &Search::choose_creases},
                                                          {Choice::bits, &Search::choose_bits},
                                                          {Choice::normals, &Search::reconsider_shading},
                                                          {Choice::refit, &Search::choose_fit},
@@ -203,14 +204,14 @@ class Search : private Inquiry {
   }
 
   Answer choose_fit() {
-    if (best().shading == Shading::facets || !subject_.coloured) return Answer::worse;
+    if (!has_normals(best()) || !subject_.coloured) return Answer::worse;
     return ask_with([](Recipe& r) { r.fitted = !r.fitted; });
   }
 
   /// Many facets shade better than fewer smooth triangles, up to some size of the file. Where it is close, coarser
   /// places may yet pay for the facets that they lack.
   Answer choose_shading() {
-    if ((aim() < 7000 && !is_whole(best_trial())) || best().shading == Shading::smooth) return Answer::worse;
+    if ((aim() < 7000 && !is_whole(best_trial())) || has_normals(best())) return Answer::worse;
     if (normals_lost_[std::size_t(best().painting)]) return Answer::worse;
     Recipe coarser = best();
     fewer_bits(coarser);
@@ -221,11 +222,20 @@ class Search : private Inquiry {
     return ask(coarser) == Answer::none ? Answer::none : Answer::better;
   }
 
+  /// Edges are lit as the original's, at the cost of as many more normals.
+  Answer choose_creases() {
+    if (!subject_.creased || is_left_out(Choice::normals)) return Answer::worse;
+    return ask_with([](Recipe& r) {
+      if (!has_normals(r)) wear_normals(r);
+      r.shading = Shading::creased;
+    });
+  }
+
   /// Neither facets nor normals show what they are worth while coarse places spoil the surface. Where normals pay after
   /// all, places may be coarser again: they no longer decide how it is lit.
   Answer reconsider_shading() {
     if (best().position_bits <= Recipe{}.position_bits) return Answer::worse;
-    if (best().shading == Shading::smooth && !is_textured(best())) return ask_with(wear_facets);
+    if (has_normals(best()) && !is_textured(best())) return ask_with(wear_facets);
     Answer answer = best().position_bits > Recipe{}.position_bits + 1 ? choose_shading() : Answer::worse;
     while (answer == Answer::better) answer = ask_with(fewer_bits);
     return answer;
@@ -244,7 +254,7 @@ class Search : private Inquiry {
   }
 
   Answer choose_normal_bits() {
-    if (best().shading == Shading::facets) return Answer::worse;
+    if (!has_normals(best())) return Answer::worse;
     return walk(
         is_filled(best()) ? &Search::ask_as_it_is : &Search::ask,
         [](Recipe& r) { r.normal_bits = std::min(r.normal_bits + 1, kMostNormalBits); },

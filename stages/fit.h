@@ -21,6 +21,7 @@ namespace vitrine {
 enum class Choice {
   none,
   normals,       ///< facets always
+  creases,       ///< one normal per vertex
   atlas,         ///< no texture over charts, where colours per vertex can do
   own_texture,   ///< the original's texture is never kept
   avif,          ///< maps as WebP or JPEG
@@ -34,9 +35,9 @@ enum class Choice {
 };
 template <>
 struct EnumNames<Choice> {
-  static constexpr std::array<std::string_view, 12> names{"none",    "normals",   "atlas",        "own-texture",
-                                                          "avif",    "unfolding", "colour-edges", "bits",
-                                                          "colours", "palette",   "refit",        "structure"};
+  static constexpr std::array<std::string_view, 13> names{
+      "none",         "normals", "creases", "atlas",   "own-texture", "avif",     "unfolding",
+      "colour-edges", "bits",    "colours", "palette", "refit",       "structure"};
 };
 
 struct FitOptions {
@@ -69,11 +70,12 @@ struct FitOptions {
 
 enum class Shading {
   facets,  ///< no normals: clients draw each face flat
-  smooth   ///< a normal per vertex
+  smooth,  ///< a normal per vertex
+  creased  ///< one for each side of the original's creases, see crease.h
 };
 template <>
 struct EnumNames<Shading> {
-  static constexpr std::array<std::string_view, 2> names{"facets", "smooth"};
+  static constexpr std::array<std::string_view, 3> names{"facets", "smooth", "creased"};
 };
 
 enum class Painting {
@@ -107,6 +109,7 @@ struct Recipe {
 };
 
 bool is_textured(Recipe const& recipe);
+inline bool has_normals(Recipe const& recipe) { return recipe.shading != Shading::facets; }
 /// Such files have the bytes that they may have, and can be compared as they are.
 bool is_filled(Recipe const& recipe);
 
@@ -114,6 +117,7 @@ bool is_filled(Recipe const& recipe);
 struct Subject {
   std::size_t triangles = 0;        ///< of the original: no recipe has more
   bool coloured = false;            ///< colour varies over the surface
+  bool creased = false;             ///< see crease.h
   std::size_t fixed_triangles = 0;  ///< by --max-deviation or --max-px: the fewest that keep to it; 0: free
   int own_texture = 0;              ///< texels of the longer side of the texture that can be kept; 0: none can
   bool avif = false;                ///< maps may be coded so

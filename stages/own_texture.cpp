@@ -170,7 +170,7 @@ BakedModel wear_own_texture(SimplifiedMesh const& light, TexturedMesh const& tex
   model.alpha = material.alpha;
   model.alpha_cutoff = material.alpha_cutoff;
   if (options.normals && !model.unlit)
-    model.normals = fitted_normals({model.mesh, model.grid}, original, samples, {.normal_bits = options.normal_bits});
+    wear_normals(model, original, samples, {.creases = options.creases, .normal_bits = options.normal_bits});
   return model;
 }
 

@@ -33,6 +33,7 @@ struct OwnTextureOptions {
   int position_bits = 10;
   int texture = 256;     ///< texels of the image's longer side; never more than it has
   bool normals = false;  ///< fitted as paint() does
+  bool creases = false;  ///< likewise
   int normal_bits = 6;
 };
 

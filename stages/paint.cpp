@@ -2,6 +2,7 @@
 #include "stages/paint.h"
 
 #include "stages/colour.h"
+#include "stages/crease.h"
 #include "stages/palette.h"
 #include "stages/parallel.h"
 #include "stages/plain_model.h"
@@ -96,16 +97,26 @@ void store_coverage(SurfaceSamples const& samples, SurveyedModel const& original
   model.base_colour[3] = float(mean);
 }
 
+void part_at_creases(BakedModel& model, SurfaceSamples const& samples) {
+  PartedMesh parted = part_at_creases(model.mesh, samples);
+  std::vector<V3f> colours;
+  if (!model.colours.empty())
+    for (std::uint32_t v : parted.whole) colours.push_back(model.colours[v]);
+  model.mesh = std::move(parted.mesh);
+  model.colours = std::move(colours);
+}
+
 }  // namespace
 
-std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const& original,
-                                SurfaceSamples const& samples, PaintOptions const& options) {
-  VertexFit const fit(target.mesh, samples);
+void wear_normals(BakedModel& model, SurveyedModel const& original, SurfaceSamples const& samples,
+                  PaintOptions const& options) {
+  if (options.creases) part_at_creases(model, samples);
+  VertexFit const fit(model.mesh, samples);
   std::vector<V3f> const unseen =
-      closest_to_unseen(fit, target.mesh, original, [](SurfaceSample const& s) { return s.normal; });
-  std::vector<V3f> normals = fit(samples.shading, unseen, options.smoothing);
-  for (V3f& normal : normals) normal = quantize_normal(normal, options.normal_bits);
-  return normals;
+      closest_to_unseen(fit, model.mesh, original, [](SurfaceSample const& s) { return s.normal; });
+  model.normals = fit(samples.shading, unseen, options.smoothing);
+  for (V3f& normal : model.normals) normal = quantize_normal(normal, options.normal_bits);
+  model.grid.normal_bits = options.normal_bits;
 }
 
 BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
@@ -122,10 +133,7 @@ BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, Sur
       store_colours(colours, model);
     store_coverage(samples, original, model);
   }
-  if (options.normals && !model.unlit) {
-    model.grid.normal_bits = options.normal_bits;
-    model.normals = fitted_normals(target, original, samples, options);
-  }
+  if (options.normals && !model.unlit) wear_normals(model, original, samples, options);
   return model;
 }
 

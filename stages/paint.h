@@ -13,6 +13,7 @@ struct PaintOptions {
   int colour_bits = 5;
   double smoothing = 0.1;
   bool normals = false;
+  bool creases = false;
   int normal_bits = 6;
 
   template <class Self, class Visitor>
@@ -25,6 +26,7 @@ struct PaintOptions {
                 "colours per vertex: 0 fits the original best, 1 takes the mean around the vertex, which packs better",
                 0, 10});
     visit(self.normals, Field{"smooth", "", "store normals per vertex; without them clients draw facets"});
+    visit(self.creases, Field{"creases", "", "store one normal for each side of the original's creases"});
     visit(self.normal_bits, Field{"smooth-bits", "bits", "of each stored normal's two octahedral coordinates", 4, 14});
   }
 };
@@ -44,8 +46,9 @@ struct PaintOptions {
 BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, SurfaceSamples const& samples,
                  PaintOptions const& options = {});
 
-/// Normals per vertex of the mesh, as the file stores them: fitted to those that the original is drawn with.
-std::vector<V3f> fitted_normals(QuantizedMesh const& target, SurveyedModel const& original,
-                                SurfaceSamples const& samples, PaintOptions const& options);
+/// Gives the model normals per vertex, as the file stores them: fitted to those that the original is drawn with. With
+/// `creases` vertices are parted at them.
+void wear_normals(BakedModel& model, SurveyedModel const& original, SurfaceSamples const& samples,
+                  PaintOptions const& options);
 
 }  // namespace vitrine

@@ -4,6 +4,7 @@
 #include "stages/clean.h"
 #include "stages/closest_point.h"
 #include "stages/colour.h"
+#include "stages/crease.h"
 #include "stages/edges.h"
 #include "stages/parallel.h"
 
@@ -114,6 +115,7 @@ SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count) 
   SurfaceSamples samples;
   samples.points.resize(count), samples.normals.resize(count), samples.shading.resize(count);
   if (original.surface.coloured()) samples.colours.resize(count);
+  samples.creased = has_creases(*original.model);
   samples.radius = bounds(mesh).size().length() / 2;
   double const step = areas.back() / double(count);
   float const footprint = float(std::sqrt(step));

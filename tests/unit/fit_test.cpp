@@ -24,7 +24,7 @@ struct World {
     double map = 0, quality = 0, rate = facet_rate + 0.1 * (recipe.position_bits - 10);
     if (recipe.painting == Painting::vertices) rate += vertex_rate;
     if (is_textured(recipe)) rate += 0.8;
-    if (recipe.shading == Shading::smooth) rate += 0.5;
+    if (has_normals(recipe)) rate += 0.5;
     if (is_textured(recipe)) {
       double const at_50 = map_bits / 8 * recipe.texture * recipe.texture,
                    room = 0.99 * recipe.ceiling - 700 - rate * recipe.triangles;
@@ -129,6 +129,15 @@ TEST(Fit, UsesNormalsOnlyWhereTheyPay) {
   normals_win.penalty = [](Recipe const& r) { return r.shading == Shading::smooth ? 0.3 : 1; };
   EXPECT_EQ(winner(kPlain, {.max_kb = 24}, normals_win).recipe.shading, Shading::smooth);
   EXPECT_EQ(winner(kPlain, {.max_kb = 24}, {}).recipe.shading, Shading::facets);
+}
+
+TEST(Fit, AsksForCreasesWhereTheOriginalHasThem) {
+  World creases_win;
+  creases_win.penalty = [](Recipe const& r) { return r.shading == Shading::creased ? 0.3 : 1; };
+  constexpr Subject creased{.triangles = 100'000, .creased = true};
+  EXPECT_EQ(winner(creased, {}, creases_win).recipe.shading, Shading::creased);
+  EXPECT_EQ(winner(kPlain, {}, creases_win).recipe.shading, Shading::facets);
+  EXPECT_EQ(winner(creased, {.without = Choice::creases}, creases_win).recipe.shading, Shading::facets);
 }
 
 TEST(Fit, AsksNoNearlySameRecipeTwice) {
