@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stages/chart_topology.h"
 
+#include "stages/union_find.h"
+
 #include <algorithm>
 #include <numeric>
 #include <queue>
@@ -64,28 +66,6 @@ void pair_flattest(TriMesh const& mesh, std::span<HalfEdge const> edge, Join con
       join(edge[i], edge[j]);
     }
 }
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n), sets_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = root(a), b = root(b);
-    if (a == b) return;
-    parent_[std::max(a, b)] = std::min(a, b);
-    --sets_;
-  }
-  std::size_t sets() const { return sets_; }
-
- private:
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  std::vector<std::size_t> parent_;
-  std::size_t sets_;
-};
 
 std::size_t count_vertices(std::span<Triangle const> triangles) {
   std::vector<std::uint32_t> vertices;

@@ -43,6 +43,28 @@ TEST(Outside, LeavesSurfacesAsTheyAre) {
   EXPECT_FALSE(outside(test::plain_model(test::two_shells())));
 }
 
+TriMesh joined(TriMesh mesh, TriMesh const& more, V3f const& at, float size) {
+  auto const first = std::uint32_t(mesh.positions.size());
+  for (V3f const& p : more.positions) mesh.positions.push_back(p * size + at);
+  for (auto const& [a, b, c] : more.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+  return mesh;
+}
+
+TEST(Outside, OfAnAssemblyIsItsHousing) {
+  TriMesh const ball = test::sphere(16, 8);
+  TriMesh engine = ball;
+  for (float x : {-0.3f, 0.0f, 0.3f}) engine = joined(engine, ball, {x, 0, 0}, 0.12f);
+  std::optional<SourceModel> const outer = outside(test::plain_model(engine));
+  ASSERT_TRUE(outer);
+  EXPECT_EQ(outer->mesh.triangles, ball.triangles);
+}
+
+TEST(Outside, LeavesAnAssemblyOfWhichAllIsSeen) {
+  TriMesh beads = test::sphere(16, 8);
+  for (float x : {2.5f, 5.0f, 7.5f}) beads = joined(beads, test::sphere(16, 8), {x, 0, 0}, 1);
+  EXPECT_FALSE(outside(test::plain_model(beads)));
+}
+
 TEST(Outside, LeavesATangleThatIsSeen) {
   TriMesh bare = test::sphere(5, 4);
   bare.triangles.clear();
