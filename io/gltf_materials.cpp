@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vitrine::io {
 namespace {
@@ -52,9 +53,12 @@ void read_alpha(GltfJson const& description, Material& material) {
   material.alpha_cutoff = static_cast<float>(real(description, "alphaCutoff", 0.5));
 }
 
-bool emits(GltfJson const& description) {
-  auto const factor = reals<3>(description, "emissiveFactor", {0, 0, 0});
-  return std::any_of(factor.begin(), factor.end(), [](double c) { return c > 0; });
+/// What only emits looks the same from everywhere under any light.
+void read_as_unlit(Material& material) {
+  material.unlit = true;
+  for (unsigned k = 0; k < 3; ++k) material.base_colour[k] = std::min(material.emission[k], 1.f);
+  material.colour_map = std::exchange(material.emission_map, {});
+  material.normal_map = {};
 }
 
 }  // namespace
@@ -97,15 +101,37 @@ Material GltfMaterials::read(GltfJson const& description, std::uint64_t& uv_set)
   if (normal_map) material.normal_scale = static_cast<float>(real(*normal_map, "scale", 1));
   if (GltfJson const* const map = occlusion_maps_ ? member(description, "occlusionTexture") : nullptr)
     read_occlusion(*map, !colour_map && !normal_map, material, uv_set);
-  if (emits(description)) model_.notes.push_back("emission of material \"" + material.name + "\" is not drawn");
   read_alpha(description, material);
-  material.coloured = material.colour_map.image >= 0 || is_tint(material.base_colour);
   material.unlit = extension(description, "KHR_materials_unlit") != nullptr;
+  if (!material.unlit) read_emission(description, !colour_map && !normal_map, material, uv_set);
+  material.coloured =
+      material.colour_map.image >= 0 || material.emission_map.image >= 0 || is_tint(material.base_colour);
   material.double_sided = flag(description, "doubleSided");
   return material;
 }
 
 /// `alone`: no other texture has chosen the material's texture coordinates.
+void GltfMaterials::read_emission(GltfJson const& description, bool alone, Material& material, std::uint64_t& uv_set) {
+  GltfJson const* const brighter = extension(description, "KHR_materials_emissive_strength");
+  double const strength = brighter ? std::clamp(real(*brighter, "emissiveStrength", 1), 0.0, 1e6) : 1;
+  auto const factor = reals<3>(description, "emissiveFactor", {0, 0, 0});
+  for (unsigned k = 0; k < 3; ++k)
+    material.emission[k] = static_cast<float>(strength * std::clamp(factor[k], 0.0, 1.0));
+  GltfJson const* const map = member(description, "emissiveTexture");
+  if (!emits(material)) return;
+  if (map && alone) uv_set = uv_set_of(*map);
+  if (map && uv_set_of(*map) != uv_set) {
+    model_.notes.push_back("emission of material \"" + material.name +
+                           "\" left out: it has texture coordinates of its own");
+    material.emission = V3f(0);
+    return;
+  }
+  if (map) material.emission_map = use(*map, ColourSpace::srgb);
+  Rgba const& base = material.base_colour;
+  if (base[0] + base[1] + base[2] == 0 && material.alpha == AlphaMode::opaque) read_as_unlit(material);
+}
+
+/// `alone`: as above.
 void GltfMaterials::read_occlusion(GltfJson const& map, bool alone, Material& material, std::uint64_t& uv_set) {
   if (alone) uv_set = uv_set_of(map);
   if (uv_set_of(map) != uv_set) {

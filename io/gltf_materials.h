@@ -27,6 +27,7 @@ class GltfMaterials {
   Entry take(std::optional<std::uint64_t> material);
 
  private:
+  void read_emission(GltfJson const& description, bool alone, Material& material, std::uint64_t& uv_set);
   void read_occlusion(GltfJson const& map, bool alone, Material& material, std::uint64_t& uv_set);
   Material read(GltfJson const& description, std::uint64_t& uv_set);
   TextureUse use(GltfJson const& texture_info, ColourSpace space);

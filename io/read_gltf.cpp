@@ -151,10 +151,11 @@ class Flattener {
 
   void drop_maps() {
     for (Material& material : model_.materials) {
-      if (material.colour_map.image >= 0 || material.normal_map.image >= 0 || material.occlusion_map.image >= 0)
+      if (material.colour_map.image >= 0 || material.normal_map.image >= 0 || material.occlusion_map.image >= 0 ||
+          material.emission_map.image >= 0)
         model_.notes.push_back("textures of material \"" + material.name +
                                "\" left out: there are no texture coordinates");
-      material.colour_map = material.normal_map = material.occlusion_map = TextureUse{};
+      material.colour_map = material.normal_map = material.occlusion_map = material.emission_map = TextureUse{};
     }
     model_.images.clear();
   }

@@ -63,7 +63,7 @@ void check_uvs(TriMesh const& mesh, std::vector<std::uint32_t> const& face_chart
 
 void check_material(SourceModel const& model, std::size_t m, Violations& violations) {
   Material const& material = model.materials[m];
-  for (TextureUse const* use : {&material.colour_map, &material.normal_map}) {
+  for (TextureUse const* use : {&material.colour_map, &material.normal_map, &material.emission_map}) {
     require(
         use->image < int(model.images.size()),
         number("material", m) + ": image " + std::to_string(use->image) + " of " + std::to_string(model.images.size()),

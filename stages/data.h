@@ -71,6 +71,8 @@ struct Material {
   TextureUse colour_map;         ///< sRGB
   TextureUse normal_map;         ///< tangent space, glTF's orientation
   float normal_scale = 1;
+  V3f emission{0, 0, 0};     ///< linear; light of its own, times the map
+  TextureUse emission_map;   ///< sRGB
   TextureUse occlusion_map;  ///< linear, in the first channel
   float occlusion_strength = 1;
   AlphaMode alpha = AlphaMode::opaque;
@@ -95,6 +97,8 @@ struct SourceModel {
 
 /// Whether the original is drawn in colours of its own; one without any gets no baked base colour.
 bool has_colour(SourceModel const& model);
+
+inline bool emits(Material const& material) { return material.emission != V3f(0) && !material.unlit; }
 
 enum class StopReason { target_reached, error_limit, nothing_left };
 

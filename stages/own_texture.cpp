@@ -107,7 +107,7 @@ Image reduced(Image const& image, int longer_side) {
 
 std::optional<TexturedMesh> own_texture(SourceModel const& model) {
   std::optional<std::size_t> const material = common_material(model);
-  if (!material || model.uvs.empty() || !model.colours.empty()) return {};
+  if (!material || model.uvs.empty() || !model.colours.empty() || emits(model.materials[*material])) return {};
   TextureUse const& use = model.materials[*material].colour_map;
   if (use.image < 0) return {};
   std::array<float, 6> const& m = use.matrix;

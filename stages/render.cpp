@@ -38,7 +38,7 @@ class Painter {
       spots_[std::size_t(i)] = {i % side, i / side, std::size_t(i / side / n * block_ + i % side / n)};
     lanes_by_face_ = kBlock % options.supersample == 0 && options.occlusion == Occlusion::none &&
                      model.model->mesh.triangles.size() >= kManyFaces && !model.model->normals.empty() &&
-                     !model.surface.mapped() && !(options.grey && model.surface.unlit());
+                     !model.surface.mapped() && !model.surface.emissive() && !(options.grey && model.surface.unlit());
   }
 
   Image picture(DepthBuffer& buffer) const {
@@ -59,6 +59,7 @@ class Painter {
     std::size_t covered = 0;                  ///< samples that see a face; those come first below
     std::array<std::uint8_t, kLanes> places;  ///< in the block
     Samples samples;
+    LaneVector<3> emission;  ///< where the surface emits
   };
   /// Where a sample lies in its block.
   struct Spot {
@@ -84,14 +85,20 @@ class Painter {
     int const n = options_.supersample, side = block_ * n;
     Seen seen;
     for (int i = 0; i < side * side; ++i) seen[i] = buffer.face(n * x + spots_[i].column, n * y + spots_[i].row);
-    Block block{x, y, 0, {}, {}};
+    Block block{x, y, 0, {}, {}, {}};
     if (lanes_by_face_)
       look_at_samples(seen, block);
     else
       look_at_faces(seen, faces, block);
     if (block.covered == 0) return;
     shading_at(x, y, block_)(block.samples);
+    if (model_.surface.emissive()) shine(block);
     put(picture, block);
+  }
+
+  static void shine(Block& block) {
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < block.covered; ++i) block.samples.colour[k][i] += block.emission[k][i];
   }
 
   void put(Image& picture, Block const& block) const {
@@ -180,6 +187,9 @@ class Painter {
         block.samples.colour[k][from + i] = surface.colour[k][i];
         block.samples.normal[k][from + i] = surface.normal[k][i] * facing[i];
       }
+    if (model_.surface.emissive())
+      for (std::size_t k = 0; k < 3; ++k)
+        std::copy_n(surface.emission[k].begin(), at.count, block.emission[k].begin() + from);
     std::copy_n(surface.occlusion.begin(), at.count, block.samples.open.begin() + from);
     std::fill_n(block.samples.lit.begin() + from, at.count, seen.facet.material->unlit ? 0.f : 1.f);
     block.covered += at.count;
@@ -280,7 +290,8 @@ class Painter {
     look_at(seen.facet, at, surface);
     V3f const base(surface.colour[0][0], surface.colour[1][0], surface.colour[2][0]);
     V3f const normal = lane(surface.normal, 0) * facing[0];
-    V3f const light = seen.facet.material->unlit ? base : shading(base, normal, surface.occlusion[0]);
+    V3f light = seen.facet.material->unlit ? base : shading(base, normal, surface.occlusion[0]);
+    if (model_.surface.emissive()) light += lane(surface.emission, 0);
     return {{srgb_byte(light.x), srgb_byte(light.y), srgb_byte(light.z)}, surface.colour[3][0]};
   }
 

@@ -23,6 +23,13 @@ Rgba to_float(Rgba16 const& colour) {
   return scaled;
 }
 
+/// As bright under the usual light as what emits is without.
+Rgba with_emission(Rgba colour, V3f const& emission) {
+  constexpr float kUsualLight = 0.8f;
+  for (unsigned k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + emission[k] / kUsualLight, 1.f);
+  return colour;
+}
+
 float coverage(Material const& material, float alpha) {
   if (material.alpha == AlphaMode::opaque) return 1;
   if (material.alpha == AlphaMode::mask) return alpha >= material.alpha_cutoff ? 1 : 0;
@@ -56,18 +63,22 @@ using MipMaps = std::vector<std::unique_ptr<MipMap const>>;
 struct Surface::Impl {
   SourceModel const& model;
   std::vector<std::uint16_t> in_use;
-  MipMaps colour_maps, normal_maps, occlusion_maps;
+  MipMaps colour_maps, normal_maps, emission_maps, occlusion_maps;
+  bool emissive;
 
   explicit Impl(SourceModel const& of)
       : model(of),
         in_use(materials_in_use(of)),
         colour_maps(of.images.size()),
         normal_maps(of.images.size()),
-        occlusion_maps(of.images.size()) {
+        emission_maps(of.images.size()),
+        occlusion_maps(of.images.size()),
+        emissive(any_material([](Material const& material) { return emits(material); })) {
     if (model.uvs.empty()) return;
     for (std::uint16_t m : in_use) {
       add(model.materials[m].colour_map, ColourSpace::srgb, colour_maps);
       add(model.materials[m].normal_map, ColourSpace::linear, normal_maps);
+      if (emits(model.materials[m])) add(model.materials[m].emission_map, ColourSpace::srgb, emission_maps);
       add(model.materials[m].occlusion_map, ColourSpace::linear, occlusion_maps);
     }
   }
@@ -117,7 +128,8 @@ struct Surface::Impl {
 
   void add_maps(Facet& facet) const {
     TextureUse const &colour = facet.material->colour_map, &normal = facet.material->normal_map;
-    facet.mapped = colour.image >= 0 || normal.image >= 0 || facet.material->occlusion_map.image >= 0;
+    facet.mapped = colour.image >= 0 || normal.image >= 0 || facet.material->emission_map.image >= 0 ||
+                   facet.material->occlusion_map.image >= 0;
     if (colour.image >= 0) facet.colour_uvs = corner_uvs(colour, facet.face);
     if (normal.image >= 0) facet.normal_uvs = corner_uvs(normal, facet.face);
     if (normal.image >= 0 && !model.tangents.empty()) facet.tangents = from_first(corners(model.tangents, facet.face));
@@ -157,6 +169,7 @@ struct Surface::Impl {
         for (std::size_t i = 0; i < at.count; ++i) samples.colour[k][i] *= read[k][i];
     }
     if (facet.mapped && material.normal_map.image >= 0) tilt(facet, at, texels, samples.normal);
+    if (emissive) emit(facet, at, texels, samples.emission);
     samples.occlusion.fill(1);
     if (facet.mapped && material.occlusion_map.image >= 0) occlude(facet, at, texels, samples.occlusion);
     for (std::size_t i = 0; i < at.count; ++i) samples.colour[3][i] = coverage(material, samples.colour[3][i]);
@@ -174,6 +187,17 @@ struct Surface::Impl {
       for (std::size_t k = 0; k < 4; ++k) read[k][i] = texel[k];
     }
     return read;
+  }
+
+  template <class Texels>
+  void emit(Facet const& facet, Places const& at, Texels const& texels, LaneVector<3>& emission) const {
+    Material const& material = *facet.material;
+    for (unsigned k = 0; k < 3; ++k) emission[k].fill(emits(material) ? material.emission[k] : 0);
+    if (!emits(material) || !facet.mapped || material.emission_map.image < 0) return;
+    CornerUvs const uvs = corner_uvs(material.emission_map, facet.face);
+    LaneVector<4> const read = look_up(material.emission_map, emission_maps, uvs, at, texels);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < at.count; ++i) emission[k][i] *= read[k][i];
   }
 
   template <class Texels>
@@ -224,7 +248,9 @@ SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
     return Lanes{footprint * footprint * all / facet.across.length()};
   };
   impl_->sample(facet, at, texels, made);
-  return {{made.colour[0][0], made.colour[1][0], made.colour[2][0], made.colour[3][0]}, lane(made.normal, 0)};
+  Rgba colour{made.colour[0][0], made.colour[1][0], made.colour[2][0], made.colour[3][0]};
+  if (impl_->emissive) colour = with_emission(colour, lane(made.emission, 0));
+  return {colour, lane(made.normal, 0)};
 }
 
 Facet Surface::facet(std::uint32_t face) const { return impl_->facet(face); }
@@ -253,9 +279,11 @@ void Surface::sample(Facet const& facet, Places const& at, SurfaceLanes& samples
 bool Surface::coloured() const {
   SourceModel const& model = impl_->model;
   if (!has_colour(model)) return false;
-  Rgba const& first = model.materials[impl_->in_use[0]].base_colour;
+  Material const& one = model.materials[impl_->in_use[0]];
   return (!model.colours.empty() && !all_equal(model.colours)) || impl_->any_material([&](Material const& material) {
-    return (material.colour_map.image >= 0 && !model.uvs.empty()) || material.base_colour != first;
+    bool const mapped = material.colour_map.image >= 0 || material.emission_map.image >= 0;
+    return (mapped && !model.uvs.empty()) || material.base_colour != one.base_colour ||
+           material.emission != one.emission;
   });
 }
 
@@ -265,6 +293,7 @@ Rgba Surface::uniform_colour() const {
   Material const& material = model.materials[impl_->in_use[0]];
   Rgba colour = material.base_colour;
   if (!model.colours.empty()) colour = multiply(colour, to_float(model.colours[0]));
+  if (emits(material)) colour = with_emission(colour, material.emission);
   colour[3] = coverage(material, colour[3]);
   return colour;
 }
@@ -277,13 +306,16 @@ AlphaMode Surface::alpha() const {
 
 bool Surface::mapped() const {
   return !impl_->model.uvs.empty() && impl_->any_material([](Material const& m) {
-    return m.colour_map.image >= 0 || m.normal_map.image >= 0 || m.occlusion_map.image >= 0;
+    return m.colour_map.image >= 0 || m.normal_map.image >= 0 || m.emission_map.image >= 0 ||
+           m.occlusion_map.image >= 0;
   });
 }
 
 bool Surface::unlit() const {
   return !impl_->any_material([](Material const& m) { return !m.unlit; });
 }
+
+bool Surface::emissive() const { return impl_->emissive; }
 
 bool Surface::double_sided() const {
   return impl_->any_material([](Material const& m) { return m.double_sided; });

@@ -14,15 +14,18 @@
 namespace vitrine {
 
 struct SurfaceSample {
-  Rgba colour{1, 1, 1, 1};  ///< linear base colour: factor x texture x vertex colour; coverage in the fourth
-  V3f normal{0, 1, 0};      ///< unit shading normal: interpolated, then the source's own normal map as clients draw it
+  /// Linear base colour: factor x texture x vertex colour; coverage in the fourth. Thumbnails emit no light: what the
+  /// surface emits is added, as far as the measure's light would make up for it.
+  Rgba colour{1, 1, 1, 1};
+  V3f normal{0, 1, 0};  ///< unit shading normal: interpolated, then the source's own normal map as clients draw it
 };
 
 /// The same for samples of one face side by side.
 struct SurfaceLanes {
   LaneVector<4> colour;
   LaneVector<3> normal;
-  Lanes occlusion;  ///< by the source's own occlusion map
+  LaneVector<3> emission;  ///< linear; only where any material emits
+  Lanes occlusion;         ///< by the source's own occlusion map
 };
 
 /// One face, and what all its samples share. Of three values each the first is that of the first corner, the others are
@@ -62,6 +65,7 @@ class Surface {
   AlphaMode alpha() const;      ///< blend if any material in use blends, mask if any cuts out
   bool mapped() const;          ///< any texture covers it
   bool unlit() const;           ///< all materials in use are
+  bool emissive() const;        ///< any material in use emits light
   bool double_sided() const;    ///< any material in use is
 
  private:

@@ -552,15 +552,43 @@ TEST(ReadGltf, OcclusionMapsAreReadWhereAsked) {
 
 TEST(ReadGltf, MaterialsKeepAlphaSidesAndLight) {
   Builder b = mapped_square();
-  b.json["materials"][0].update(
-      {{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}, {"doubleSided", true}, {"emissiveFactor", {1, 0, 0}}});
+  b.json["materials"][0].update({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}, {"doubleSided", true}});
   b.json["materials"][0]["extensions"]["KHR_materials_unlit"] = Doc::object();
   SourceModel const model = read(b);
   Material const& m = model.materials[0];
   EXPECT_EQ(m.alpha, AlphaMode::mask);
   EXPECT_EQ(m.alpha_cutoff, 0.25f);
   EXPECT_TRUE(m.double_sided && m.unlit);
-  EXPECT_THAT(model.notes, Contains(HasSubstr("emission")));
+}
+
+TEST(ReadGltf, MaterialsEmit) {
+  Builder b = mapped_square();
+  Doc& material = b.json["materials"][0];
+  material["emissiveFactor"] = {0.25, 0, 0.5};
+  material["emissiveTexture"] = {{"index", 0}};
+  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 2}};
+  Material const bright = read(b).materials[0];
+  EXPECT_TRUE(emits(bright));
+  EXPECT_EQ(bright.emission, V3f(0.5f, 0, 1));
+  EXPECT_EQ(bright.emission_map.image, bright.colour_map.image);
+  EXPECT_TRUE(bright.coloured);
+
+  material["emissiveTexture"]["texCoord"] = 1;
+  EXPECT_FALSE(emits(read(b).materials[0]));
+  EXPECT_THAT(read(b).notes, Contains(HasSubstr("emission")));
+}
+
+TEST(ReadGltf, WhatOnlyEmitsIsUnlit) {
+  Builder b = mapped_square();
+  Doc& material = b.json["materials"][0];
+  material["emissiveFactor"] = {1, 1, 1};
+  material["emissiveTexture"] = {{"index", 0}};
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {0, 0, 0, 1}}};
+  Material const read_as = read(b).materials[0];
+  EXPECT_TRUE(read_as.unlit);
+  EXPECT_FALSE(emits(read_as));
+  EXPECT_EQ(read_as.base_colour, (Rgba{1, 1, 1, 1}));
+  EXPECT_GE(read_as.colour_map.image, 0);
 }
 
 TEST(ReadGltf, TexturesWithoutCoordinatesAreLeftOut) {
