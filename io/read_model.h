@@ -9,7 +9,8 @@
 /// | OBJ+MTL  | polygons, negative indices, vertex colours, normals, uv; Kd, map_Kd, d, Tr, norm of several materials |
 /// | STL      | ascii, binary; binary facet colours are not read                                                     |
 /// | OFF      | [ST][C][N]OFF ascii; colours of vertices or faces, as bytes or 0..1                                  |
-/// | glTF/GLB | rest pose of the default scene; Draco, meshopt, quantisation, texture transform, data URIs, COLOR_0  |
+/// | glTF/GLB | rest pose of the default scene; Draco, meshopt, quantisation, texture transform, data URIs, COLOR_0, |
+/// |          | emission and its strength                                                                            |
 ///
 /// Hostile input is normal: counts are believed only as far as bytes are present, every index is checked here, before a
 /// TriMesh exists. Positions may still be NaN or infinite: `clean` drops and counts those. Colours and uvs are finite.

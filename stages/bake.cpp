@@ -209,7 +209,7 @@ BakedModel bake(QuantizedAtlas const& target, SurveyedModel const& original, Bak
   model.statistics = baker.bake(layers);
   for (Layer* layer : {&layers.colour, &layers.normal, &layers.derived_normal, &layers.occlusion})
     if (layer->channels > 0) fill_unknown(*layer, layers.known);
-  store_images(layers, options, original.surface.alpha(), model);
+  store_images(layers, options, original.surface.common_alpha(), model);
   return model;
 }
 

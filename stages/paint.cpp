@@ -87,7 +87,7 @@ void store_palette(Palette palette, BakedModel& model) {
 }
 
 void store_coverage(SurfaceSamples const& samples, SurveyedModel const& original, BakedModel& model) {
-  if (original.surface.alpha() != AlphaMode::blend) return;
+  if (original.surface.common_alpha() != AlphaMode::blend) return;
   double sum = 0;
   for (V4f const& colour : samples.colours) sum += colour.w;
   double const mean = sum / double(samples.colours.size());

@@ -29,7 +29,7 @@ BakedModel plain_model(TriMesh mesh, Grid const& grid, SurveyedModel const& orig
   model.grid = grid;
   model.origin = original.model->origin;
   model.base_colour = original.surface.uniform_colour();
-  model.alpha = model.base_colour[3] < 1 ? original.surface.alpha() : AlphaMode::opaque;
+  model.alpha = model.base_colour[3] < 1 ? original.surface.common_alpha() : AlphaMode::opaque;
   model.unlit = original.surface.unlit();
   model.double_sided = original.surface.double_sided() || has_boundary(model.mesh);
   return model;

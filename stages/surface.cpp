@@ -2,6 +2,7 @@
 #include "stages/surface.h"
 
 #include "stages/closest_point.h"
+#include "stages/looks.h"
 #include "stages/mip_map.h"
 #include "stages/tangent_frame.h"
 
@@ -12,47 +13,9 @@
 namespace vitrine {
 namespace {
 
-Rgba multiply(Rgba a, Rgba const& b) {
-  for (int k = 0; k < 4; ++k) a[k] *= b[k];
-  return a;
-}
-
-Rgba to_float(Rgba16 const& colour) {
-  Rgba scaled;
-  for (int k = 0; k < 4; ++k) scaled[k] = float(colour[k]) / 65535;
-  return scaled;
-}
-
-/// As bright under the usual light as what emits is without.
-Rgba with_emission(Rgba colour, V3f const& emission) {
-  constexpr float kUsualLight = 0.8f;
-  for (unsigned k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + emission[k] / kUsualLight, 1.f);
-  return colour;
-}
-
-float coverage(Material const& material, float alpha) {
-  if (material.alpha == AlphaMode::opaque) return 1;
-  if (material.alpha == AlphaMode::mask) return alpha >= material.alpha_cutoff ? 1 : 0;
-  return std::clamp(alpha, 0.f, 1.f);
-}
-
 V2f transform(TextureUse const& use, V2f uv) {
   auto const& m = use.matrix;
   return {m[0] * uv.x + m[1] * uv.y + m[2], m[3] * uv.x + m[4] * uv.y + m[5]};
-}
-
-std::vector<std::uint16_t> materials_in_use(SourceModel const& model) {
-  if (model.face_materials.empty()) return {0};
-  std::vector<bool> used(model.materials.size(), false);
-  for (std::uint16_t m : model.face_materials) used[m] = true;
-  std::vector<std::uint16_t> in_use;
-  for (std::size_t m = 0; m < used.size(); ++m)
-    if (used[m]) in_use.push_back(static_cast<std::uint16_t>(m));
-  return in_use;
-}
-
-bool all_equal(std::vector<Rgba16> const& colours) {
-  return std::all_of(colours.begin(), colours.end(), [&](Rgba16 const& c) { return c == colours[0]; });
 }
 
 /// Filtered images, made where a material in use asks for them.
@@ -62,20 +25,18 @@ using MipMaps = std::vector<std::unique_ptr<MipMap const>>;
 
 struct Surface::Impl {
   SourceModel const& model;
-  std::vector<std::uint16_t> in_use;
+  Looks looks;
   MipMaps colour_maps, normal_maps, emission_maps, occlusion_maps;
-  bool emissive;
 
   explicit Impl(SourceModel const& of)
       : model(of),
-        in_use(materials_in_use(of)),
+        looks(of),
         colour_maps(of.images.size()),
         normal_maps(of.images.size()),
         emission_maps(of.images.size()),
-        occlusion_maps(of.images.size()),
-        emissive(any_material([](Material const& material) { return emits(material); })) {
+        occlusion_maps(of.images.size()) {
     if (model.uvs.empty()) return;
-    for (std::uint16_t m : in_use) {
+    for (std::uint16_t m : looks.in_use) {
       add(model.materials[m].colour_map, ColourSpace::srgb, colour_maps);
       add(model.materials[m].normal_map, ColourSpace::linear, normal_maps);
       if (emits(model.materials[m])) add(model.materials[m].emission_map, ColourSpace::srgb, emission_maps);
@@ -90,11 +51,6 @@ struct Surface::Impl {
 
   Material const& material_of(std::uint32_t face) const {
     return model.materials[model.face_materials.empty() ? 0 : model.face_materials[face]];
-  }
-
-  template <class Any>
-  bool any_material(Any const& any) const {
-    return std::any_of(in_use.begin(), in_use.end(), [&](std::uint16_t m) { return any(model.materials[m]); });
   }
 
   template <class Value>
@@ -169,7 +125,7 @@ struct Surface::Impl {
         for (std::size_t i = 0; i < at.count; ++i) samples.colour[k][i] *= read[k][i];
     }
     if (facet.mapped && material.normal_map.image >= 0) tilt(facet, at, texels, samples.normal);
-    if (emissive) emit(facet, at, texels, samples.emission);
+    if (looks.emissive) emit(facet, at, texels, samples.emission);
     samples.occlusion.fill(1);
     if (facet.mapped && material.occlusion_map.image >= 0) occlude(facet, at, texels, samples.occlusion);
     for (std::size_t i = 0; i < at.count; ++i) samples.colour[3][i] = coverage(material, samples.colour[3][i]);
@@ -249,7 +205,7 @@ SurfaceSample Surface::sample(Hit const& hit, float footprint) const {
   };
   impl_->sample(facet, at, texels, made);
   Rgba colour{made.colour[0][0], made.colour[1][0], made.colour[2][0], made.colour[3][0]};
-  if (impl_->emissive) colour = with_emission(colour, lane(made.emission, 0));
+  if (impl_->looks.emissive) colour = with_emission(colour, lane(made.emission, 0));
   return {colour, lane(made.normal, 0)};
 }
 
@@ -276,50 +232,14 @@ void Surface::sample(Facet const& facet, Places const& at, SurfaceLanes& samples
   impl_->sample(facet, at, texels, samples);
 }
 
-bool Surface::coloured() const {
-  SourceModel const& model = impl_->model;
-  if (!has_colour(model)) return false;
-  Material const& one = model.materials[impl_->in_use[0]];
-  return (!model.colours.empty() && !all_equal(model.colours)) || impl_->any_material([&](Material const& material) {
-    bool const mapped = material.colour_map.image >= 0 || material.emission_map.image >= 0;
-    return (mapped && !model.uvs.empty()) || material.base_colour != one.base_colour ||
-           material.emission != one.emission;
-  });
-}
-
-Rgba Surface::uniform_colour() const {
-  SourceModel const& model = impl_->model;
-  if (!has_colour(model)) return {1, 1, 1, 1};
-  Material const& material = model.materials[impl_->in_use[0]];
-  Rgba colour = material.base_colour;
-  if (!model.colours.empty()) colour = multiply(colour, to_float(model.colours[0]));
-  if (emits(material)) colour = with_emission(colour, material.emission);
-  colour[3] = coverage(material, colour[3]);
-  return colour;
-}
-
-AlphaMode Surface::alpha() const {
-  if (impl_->any_material([](Material const& m) { return m.alpha == AlphaMode::blend; })) return AlphaMode::blend;
-  if (impl_->any_material([](Material const& m) { return m.alpha == AlphaMode::mask; })) return AlphaMode::mask;
-  return AlphaMode::opaque;
-}
-
-bool Surface::mapped() const {
-  return !impl_->model.uvs.empty() && impl_->any_material([](Material const& m) {
-    return m.colour_map.image >= 0 || m.normal_map.image >= 0 || m.emission_map.image >= 0 ||
-           m.occlusion_map.image >= 0;
-  });
-}
-
-bool Surface::unlit() const {
-  return !impl_->any_material([](Material const& m) { return !m.unlit; });
-}
-
-bool Surface::emissive() const { return impl_->emissive; }
-
-bool Surface::double_sided() const {
-  return impl_->any_material([](Material const& m) { return m.double_sided; });
-}
+bool Surface::coloured() const { return impl_->looks.coloured; }
+Rgba Surface::uniform_colour() const { return impl_->looks.uniform_colour; }
+AlphaMode Surface::alpha() const { return impl_->looks.alpha; }
+AlphaMode Surface::common_alpha() const { return impl_->looks.common_alpha; }
+bool Surface::mapped() const { return impl_->looks.mapped; }
+bool Surface::unlit() const { return impl_->looks.unlit; }
+bool Surface::emissive() const { return impl_->looks.emissive; }
+bool Surface::double_sided() const { return impl_->looks.double_sided; }
 
 SurveyedModel survey(std::shared_ptr<SourceModel const> model, int occlusion_rays) {
   SourceModel const& held = *model;

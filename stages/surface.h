@@ -63,10 +63,13 @@ class Surface {
   bool coloured() const;        ///< colour varies over the surface: vertex colours, a texture or several materials
   Rgba uniform_colour() const;  ///< the one colour, when it does not; white for models without colour
   AlphaMode alpha() const;      ///< blend if any material in use blends, mask if any cuts out
-  bool mapped() const;          ///< any texture covers it
-  bool unlit() const;           ///< all materials in use are
-  bool emissive() const;        ///< any material in use emits light
-  bool double_sided() const;    ///< any material in use is
+  /// The same of its thumbnail, which is of one material: blend only where most of the area blends. Clients draw the faces
+  /// of what blends in the file's order and one through the other, so that a house would lose its walls to its windows.
+  AlphaMode common_alpha() const;
+  bool mapped() const;        ///< any texture covers it
+  bool unlit() const;         ///< all materials in use are
+  bool emissive() const;      ///< any material in use emits light
+  bool double_sided() const;  ///< any material in use is
 
  private:
   struct Impl;

@@ -81,6 +81,17 @@ TEST(Render, AnUnlitColourIsOnlyEncoded) {
   EXPECT_THAT(middle(picture(model)), testing::ElementsAre(srgb_byte(0.2f), srgb_byte(0.5f), srgb_byte(0.8f), 255));
 }
 
+TEST(Render, EmissionIsAddedToWhatIsLit) {
+  SourceModel model = quad({0.2f, 0.5f, 0.1f, 1});
+  model.materials[0].emission = {0.3f, 0, 0.9f};
+  V3f const z(0, 0, 1);
+  V3f const seen = Shading(z, z)({0.2f, 0.5f, 0.1f}, z) + model.materials[0].emission;
+  auto const shown = testing::ElementsAre(srgb_byte(seen.x), srgb_byte(seen.y), srgb_byte(seen.z), 255);
+  EXPECT_THAT(middle(picture(model)), shown);
+  model.materials[0].alpha = AlphaMode::mask;  // drawn through rays
+  EXPECT_THAT(middle(picture(model)), shown);
+}
+
 TEST(Render, GreyTakesThePlaceOfTheColour) {
   PictureOptions grey = kSmall;
   grey.grey = true;

@@ -120,6 +120,32 @@ TEST(Surface, OnlyColourThatVariesCountsAsColoured) {
   EXPECT_TRUE(Surface(model).coloured());
 }
 
+TEST(Surface, AThumbnailIsPaintedAsBrightAsWhatEmits) {
+  SourceModel model = textured_triangle({1, 1, 3, ColourSpace::srgb, {255, 255, 255}});
+  model.materials[0].base_colour = {0.1f, 0.1f, 0.1f, 1};
+  model.materials[0].emission = {0, 0.4f, 1};
+  model.materials[0].emission_map.image = 0;
+  EXPECT_TRUE(Surface(model).emissive());
+  EXPECT_THAT(Surface(model).sample({}, 0).colour, ElementsAre(FloatEq(0.1f), FloatEq(0.1f + 0.4f / 0.8f), 1, 1));
+  model.materials[0].unlit = true;
+  EXPECT_FALSE(Surface(model).emissive());
+}
+
+TEST(Surface, AThumbnailBlendsWhereMostDoes) {
+  SourceModel house = test::plain_model(test::cube());
+  house.materials.resize(3);
+  house.materials[1].alpha = AlphaMode::blend;
+  house.materials[2].alpha = AlphaMode::mask;
+  house.face_materials.assign(12, 0);
+  house.face_materials[0] = 1;
+  EXPECT_EQ(Surface(house).alpha(), AlphaMode::blend);
+  EXPECT_EQ(Surface(house).common_alpha(), AlphaMode::opaque);
+  house.face_materials[1] = 2;
+  EXPECT_EQ(Surface(house).common_alpha(), AlphaMode::mask);
+  std::fill_n(house.face_materials.begin(), 7, std::uint16_t{1});
+  EXPECT_EQ(Surface(house).common_alpha(), AlphaMode::blend);
+}
+
 TEST(Surface, OnlyMaterialsInUseCount) {
   SourceModel model = test::plain_model(test::cube());
   model.materials.resize(3);
