@@ -83,7 +83,7 @@ std::optional<std::string> due(std::string_view point, std::string_view of) {
   return std::nullopt;
 }
 
-int volatile sink = 0;
+unsigned volatile sink = 0;  // unsigned: it may run over
 
 [[gnu::noinline]] int overflow(int depth) {
   char volatile frame[4096];
@@ -100,7 +100,7 @@ int volatile sink = 0;
     char* const block = static_cast<char*>(std::malloc(step));
     if (!block) throw std::bad_alloc();
     std::memset(block, 1, step);
-    sink = sink + block[step / 2];
+    sink = sink + unsigned(block[step / 2]);
     std::this_thread::sleep_for(pause);
   }
 }
@@ -119,7 +119,7 @@ void act(std::string const& action) {
   if (action == "segv") ::raise(SIGSEGV);
   if (action == "bus") ::raise(SIGBUS);
   if (action == "abort") std::abort();
-  if (action == "overflow") sink = overflow(0);
+  if (action == "overflow") sink = unsigned(overflow(0));
   if (action == "loop")
     for (;;) sink = sink + 1;
   if (action == "sleep") sleep_for_ever();
