@@ -19,15 +19,6 @@ namespace {
 constexpr std::size_t kGrain = std::size_t{1} << 15;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// For each vertex the first one at the same place.
-std::vector<std::uint32_t> find_places(std::vector<V3f> const& positions) {
-  auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); };  // -0 + 0 = +0
-  return first_equal(positions.size(), [&](std::size_t i) {
-    V3f const& p = positions[i];
-    return Key{bits(p.x), bits(p.y), bits(p.z)};
-  });
-}
-
 Triangle placed(Triangle const& t, std::vector<std::uint32_t> const& places) {
   return {places[t[0]], places[t[1]], places[t[2]]};
 }
@@ -195,14 +186,14 @@ CleanModel clean(SourceModel source) {
   std::size_t const faces = model.mesh.triangles.size();
 
   repairs.nonfinite_vertices = drop_faces_without_place(model);
-  std::vector<std::uint32_t> places = find_places(model.mesh.positions);
+  std::vector<std::uint32_t> places = shared_places(model.mesh);
   repairs.degenerate_faces = drop_faces_without_area(model, places);
   repairs.duplicate_faces = drop_duplicate_faces(model, places);
   if (model.mesh.triangles.empty())
     throw Error(ErrorKind::invalid_input, "none of " + std::to_string(faces) + " faces has an area",
                 "check that the file holds a surface, not points or lines alone");
 
-  if (drop_unused_vertices(model)) places = find_places(model.mesh.positions);
+  if (drop_unused_vertices(model)) places = shared_places(model.mesh);
 
   result.computed_normals = model.normals.empty();
   if (result.computed_normals) {
@@ -216,7 +207,7 @@ CleanModel clean(SourceModel source) {
 }
 
 TriMesh weld(SourceModel const& model) {
-  std::vector<std::uint32_t> const places = find_places(model.mesh.positions);
+  std::vector<std::uint32_t> const places = shared_places(model.mesh);
   TriMesh welded;
   std::vector<std::uint32_t> renamed(places.size());
   for (std::size_t v = 0; v < places.size(); ++v) {
@@ -233,15 +224,21 @@ TriMesh weld(SourceModel const& model) {
   return welded;
 }
 
-std::vector<std::uint32_t> shared_places(TriMesh const& mesh) { return find_places(mesh.positions); }
+std::vector<std::uint32_t> shared_places(TriMesh const& mesh) {
+  auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); };  // -0 + 0 = +0
+  return first_equal(mesh.positions.size(), [&](std::size_t v) {
+    V3f const& p = mesh.positions[v];
+    return Key{bits(p.x), bits(p.y), bits(p.z)};
+  });
+}
 
 std::vector<std::uint32_t> merged_places(TriMesh const& mesh) {
-  if (mesh.positions.size() > mesh.triangles.size()) return find_places(mesh.positions);
+  if (mesh.positions.size() > mesh.triangles.size()) return shared_places(mesh);
   std::vector<std::uint32_t> self(mesh.positions.size());
   std::iota(self.begin(), self.end(), 0u);
   return self;
 }
 
-std::vector<V3f> smooth_normals(TriMesh const& mesh) { return smooth_normals(mesh, find_places(mesh.positions)); }
+std::vector<V3f> smooth_normals(TriMesh const& mesh) { return smooth_normals(mesh, shared_places(mesh)); }
 
 }  // namespace vitrine
