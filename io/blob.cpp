@@ -128,7 +128,9 @@ Blob own(std::vector<std::byte> bytes) {
 }
 
 std::string_view text(Blob const& blob) {
-  return {reinterpret_cast<char const*>(blob.bytes.data()), blob.bytes.size()};
+  std::string_view text(reinterpret_cast<char const*>(blob.bytes.data()), blob.bytes.size());
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
 }
 
 Blob map_file(fs::path const& path) {

@@ -21,6 +21,7 @@ struct Blob {
 };
 
 Blob own(std::vector<std::byte> bytes);
+/// Without the mark that some editors put in front of UTF-8.
 std::string_view text(Blob const& blob);
 
 /// A memory map of the file, to be read once from front to back.

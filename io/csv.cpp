@@ -76,10 +76,7 @@ class CsvParser {
 
 }  // namespace
 
-std::vector<CsvRow> parse_csv(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return CsvParser(text).parse();
-}
+std::vector<CsvRow> parse_csv(std::string_view text) { return CsvParser(text).parse(); }
 
 std::string csv_cell(std::string text) {
   if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) text.insert(0, "'");

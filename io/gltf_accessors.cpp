@@ -153,9 +153,11 @@ ComponentArray read_accessor(GltfFile& gltf, std::uint64_t index) {
   array.normalized = flag(accessor, "normalized");
   if (view)
     array = in_view(gltf.view(*view), whole(accessor, "byteOffset").value_or(0), std::move(array));
-  else if (!sparse || array.count > gltf.bytes_present())
+  else if (array.count > gltf.bytes_present())
     refuse_gltf("accessors[" + std::to_string(index) + "] of " + std::to_string(array.count) +
                 " elements has no bytes");
+  else
+    take_over(array);
   if (sparse) apply_sparse(gltf, *sparse, array);
   return array;
 }

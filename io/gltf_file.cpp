@@ -2,6 +2,7 @@
 #include "io/gltf_file.h"
 
 #include "io/gltf_compression.h"
+#include "io/stand_in.h"
 
 #include <algorithm>
 #include <array>
@@ -75,9 +76,6 @@ bool is_read(std::string_view extension) {
 
 GltfFile::GltfFile(Blob file, Resolve const& resolve, ReadLimits const& limits)
     : file_(std::move(file)), resolve_(resolve), limits_(limits), bytes_present_(file_.bytes.size()) {
-  if (as_text(file_.bytes).starts_with("version https://git-lfs"))
-    throw Error(ErrorKind::invalid_input, "the file is a Git-LFS pointer, not the model itself",
-                "run `git lfs pull` in the archive");
   open_container();
   std::string const version = member(json_, "asset") ? string(*member(json_, "asset"), "version") : "";
   if (version.starts_with("1."))
@@ -156,6 +154,7 @@ std::span<std::byte const> GltfFile::buffer(std::uint64_t index) {
         throw Error(ErrorKind::invalid_input,
                     "the file \"" + uri.substr(0, 200) + "\", which holds the geometry, is missing",
                     "put it beside the model");
+      refuse_stand_in(blob->bytes, "file \"" + uri.substr(0, 200) + "\"");
       bytes_present_ += blob->bytes.size();
       found = buffers_.emplace(index, std::move(*blob)).first;
     }

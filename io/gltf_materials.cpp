@@ -70,13 +70,14 @@ GltfMaterials::Entry GltfMaterials::take(std::optional<std::uint64_t> number) {
     throw Error(ErrorKind::limit_exceeded, "more than 65536 materials", "merge materials before");
   Entry entry;
   entry.index = static_cast<std::uint16_t>(model_.materials.size());
-  model_.materials.push_back(number ? read(gltf_.item("materials", *number), entry.uv_set) : Material{});
+  model_.materials.push_back(number ? read(gltf_.item("materials", *number), entry) : Material{});
   taken_.emplace(number, entry);
   return entry;
 }
 
-Material GltfMaterials::read(GltfJson const& description, std::uint64_t& uv_set) {
+Material GltfMaterials::read(GltfJson const& description, Entry& entry) {
   Material material;
+  std::uint64_t& uv_set = entry.uv_set;
   material.name = string(description, "name");
   GltfJson const* factors = member(description, "pbrMetallicRoughness");
   char const *factor_key = "baseColorFactor", *map_key = "baseColorTexture";
@@ -103,7 +104,7 @@ Material GltfMaterials::read(GltfJson const& description, std::uint64_t& uv_set)
     read_occlusion(*map, !colour_map && !normal_map, material, uv_set);
   read_alpha(description, material);
   material.unlit = extension(description, "KHR_materials_unlit") != nullptr;
-  if (!material.unlit) read_emission(description, !colour_map && !normal_map, material, uv_set);
+  if (!material.unlit) read_emission(description, !colour_map && !normal_map, material, entry);
   material.coloured =
       material.colour_map.image >= 0 || material.emission_map.image >= 0 || is_tint(material.base_colour);
   material.double_sided = flag(description, "doubleSided");
@@ -111,7 +112,7 @@ Material GltfMaterials::read(GltfJson const& description, std::uint64_t& uv_set)
 }
 
 /// `alone`: no other texture has chosen the material's texture coordinates.
-void GltfMaterials::read_emission(GltfJson const& description, bool alone, Material& material, std::uint64_t& uv_set) {
+void GltfMaterials::read_emission(GltfJson const& description, bool alone, Material& material, Entry& entry) {
   GltfJson const* const brighter = extension(description, "KHR_materials_emissive_strength");
   double const strength = brighter ? std::clamp(real(*brighter, "emissiveStrength", 1), 0.0, 1e6) : 1;
   auto const factor = reals<3>(description, "emissiveFactor", {0, 0, 0});
@@ -119,8 +120,8 @@ void GltfMaterials::read_emission(GltfJson const& description, bool alone, Mater
     material.emission[k] = static_cast<float>(strength * std::clamp(factor[k], 0.0, 1.0));
   GltfJson const* const map = member(description, "emissiveTexture");
   if (!emits(material)) return;
-  if (map && alone) uv_set = uv_set_of(*map);
-  if (map && uv_set_of(*map) != uv_set) {
+  if (map && alone) entry.uv_set = uv_set_of(*map);
+  if (map && uv_set_of(*map) != entry.uv_set) {
     model_.notes.push_back("emission of material \"" + material.name +
                            "\" left out: it has texture coordinates of its own");
     material.emission = V3f(0);
@@ -128,7 +129,8 @@ void GltfMaterials::read_emission(GltfJson const& description, bool alone, Mater
   }
   if (map) material.emission_map = use(*map, ColourSpace::srgb);
   Rgba const& base = material.base_colour;
-  if (base[0] + base[1] + base[2] == 0 && material.alpha == AlphaMode::opaque) read_as_unlit(material);
+  entry.only_emits = base[0] + base[1] + base[2] == 0 && material.alpha == AlphaMode::opaque;
+  if (entry.only_emits) read_as_unlit(material);
 }
 
 /// `alone`: as above.

@@ -21,15 +21,16 @@ class GltfMaterials {
   struct Entry {
     std::uint16_t index = 0;   ///< into SourceModel::materials
     std::uint64_t uv_set = 0;  ///< the TEXCOORD that its textures use
+    bool only_emits = false;   ///< vertex colours, which reflect, do not show
   };
 
   /// Nothing: glTF's default material, white. Errors: InvalidInput for a material, texture or image that is not there.
   Entry take(std::optional<std::uint64_t> material);
 
  private:
-  void read_emission(GltfJson const& description, bool alone, Material& material, std::uint64_t& uv_set);
+  void read_emission(GltfJson const& description, bool alone, Material& material, Entry& entry);
   void read_occlusion(GltfJson const& map, bool alone, Material& material, std::uint64_t& uv_set);
-  Material read(GltfJson const& description, std::uint64_t& uv_set);
+  Material read(GltfJson const& description, Entry& entry);
   TextureUse use(GltfJson const& texture_info, ColourSpace space);
   std::optional<std::uint64_t> image_of(GltfJson const& texture) const;
 

@@ -2,6 +2,7 @@
 #include "io/image_format.h"
 
 #include "io/avif_codec.h"
+#include "io/stand_in.h"
 #include "stages/error.h"
 
 #include <cstring>
@@ -43,9 +44,7 @@ std::string image_format(std::span<std::byte const> bytes) {
     return "tiff";
   if (starts(bytes, "BM")) return "bmp";
   if (bytes.size() > 2 && starts(bytes, "P") && bytes[1] >= std::byte{'1'} && bytes[1] <= std::byte{'6'}) return "pnm";
-  if (starts(bytes, "version https://git-lfs"))
-    throw Error(ErrorKind::invalid_input, "the image is a Git-LFS pointer, not the image itself",
-                "run `git lfs pull` in the archive");
+  refuse_stand_in(bytes, "image");
   for (auto const& [magic, at, name] : {std::tuple{"ftyphe"sv, 4, "HEIF"},
                                         {"ftypmif1"sv, 4, "HEIF"},
                                         {"\xABKTX"sv, 0, "KTX"},

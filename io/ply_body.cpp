@@ -39,7 +39,7 @@ PlyLoad ply_load(PlyType type, PlyFormat format) {
 PlyBody::PlyBody(PlyHeader const& header, Blob const& file)
     : format_(header.format),
       file_(file),
-      rest_(file.bytes.subspan(header.bytes)),
+      rest_(std::as_bytes(std::span(text(file).substr(header.bytes)))),
       lines_(text(file).substr(header.bytes), "PLY", header.lines) {}
 
 Error PlyBody::error(std::string const& what) const {

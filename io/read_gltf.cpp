@@ -81,7 +81,8 @@ class Flattener {
         continue;
       }
       GltfMaterials::Entry const material = materials_.take(whole(description, "material"));
-      GltfPrimitive const part = read_primitive(gltf_, description, material.uv_set);
+      GltfPrimitive part = read_primitive(gltf_, description, material.uv_set);
+      if (material.only_emits) part.colours.clear();
       for (MeshInstance const& instance : instances) add_part(part, instance, material.index);
     }
   }

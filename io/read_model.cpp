@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/read_model.h"
 
+#include "io/stand_in.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -20,7 +22,10 @@ std::span<Format const> formats() {
 SourceModel read_model(std::string_view ending, Blob const& file, Resolve const& resolve, ReadOptions const& options) {
   std::span<Format const> const known = formats();
   auto const format = std::find_if(known.begin(), known.end(), [&](Format const& f) { return f.ending == ending; });
-  if (format != known.end()) return format->read(file, resolve, options);
+  if (format != known.end()) {
+    refuse_stand_in(file.bytes, "file");
+    return format->read(file, resolve, options);
+  }
   std::string names;
   for (Format const& f : known) names += (names.empty() ? "" : ", ") + std::string(f.ending);
   throw Error(ErrorKind::unsupported, "\"" + std::string(ending) + "\" is no known format",

@@ -3,6 +3,7 @@
 #include "io/obj_parser.h"
 #include "io/read_model.h"
 #include "io/read_mtl.h"
+#include "io/stand_in.h"
 #include "io/text_scanner.h"
 
 #include <map>
@@ -56,6 +57,7 @@ void read_library(std::string const& line, Resolve const& resolve, std::map<std:
   auto const read = [&](std::string const& name) {
     try {
       if (std::optional<Blob> const file = resolve(name)) {
+        refuse_stand_in(file->bytes, "file");
         for (MtlMaterial& material : parse_mtl(text(*file), model.notes))
           materials.try_emplace(material.name, std::move(material));
         return true;
@@ -95,9 +97,6 @@ void fill_materials(ObjFile const& obj, Resolve const& resolve, ReadOptions cons
 
 SourceModel read_obj(Blob const& file, Resolve const& resolve, ReadOptions const& options) {
   std::string_view const raw = text(file);
-  if (raw.starts_with("version https://git-lfs"))
-    throw Error(ErrorKind::invalid_input, "the file is a Git-LFS pointer, not the model itself",
-                "run `git lfs pull` in the archive");
   ObjFile obj = parse_obj(raw, options.limits);
   if (obj.triangles.empty()) throw no_faces("OBJ", obj.v.size());
   SourceModel model;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace vitrine::io {
@@ -19,6 +20,8 @@ struct Heading {
   bool uvs = false, colours = false, normals = false;
   std::uint64_t vertices = 0, faces = 0;
 };
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool take_prefix(std::string_view& word, std::string_view prefix) {
   if (!word.starts_with(prefix)) return false;
@@ -47,11 +50,15 @@ Heading read_heading(TextScanner& lines) {
   if (word == "4OFF" || word == "nOFF" || word == "4nOFF")
     throw Error(ErrorKind::unsupported, "points of four or more dimensions (" + shown(first) + ") are not read",
                 "export the model with x, y and z alone");
-  if (word != "OFF") throw lines.error(shown(first) + " is no OFF heading", "check that the file is an OFF file");
-  Words counts = lines.words();
+  bool const known = take_prefix(word, "OFF") && std::all_of(word.begin(), word.end(), is_digit);
+  if (!known) throw lines.error(shown(first) + " is no OFF heading", "check that the file is an OFF file");
+  std::vector<std::string_view> counts;
+  if (!word.empty()) counts.push_back(word);  // "OFF8 6 12", as whole collections have it
+  auto const take_counts = [&] { std::ranges::copy(lines.words(), std::back_inserter(counts)); };
+  take_counts();
   if (counts.empty()) {
     if (!lines.next_line()) throw lines.error("the counts are missing");
-    counts = lines.words();
+    take_counts();
   }
   if (counts[0] == "BINARY")
     throw Error(ErrorKind::unsupported, "binary OFF is not read", "export the model as text, or as PLY");
@@ -64,9 +71,8 @@ Heading read_heading(TextScanner& lines) {
 /// 3 or 4 words: bytes when all of them are whole numbers, else in [0,1]. Coverage is not kept: surfaces are opaque.
 Rgba16 colour(TextScanner const& lines, Words words) {
   words = words.first(std::min<std::size_t>(words.size(), 4));
-  bool const whole = std::all_of(words.begin(), words.end(), [](std::string_view word) {
-    return std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-  });
+  bool const whole = std::all_of(words.begin(), words.end(),
+                                 [](std::string_view word) { return std::all_of(word.begin(), word.end(), is_digit); });
   Rgba16 rgba{0, 0, 0, 65535};
   for (std::size_t k = 0; k < 3; ++k) {
     double const value = lines.number(words[k]);

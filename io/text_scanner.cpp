@@ -35,9 +35,16 @@ std::string_view without_plus(std::string_view word) {
 
 }  // namespace
 
+char line_end(std::string_view text) {
+  text = text.substr(0, 1 << 16);
+  std::size_t const feed = std::min(text.find('\n'), text.size()), first = text.find('\r'),
+                    second = first < feed ? text.find('\r', first + 1) : feed;
+  return second < feed && second + 1 != feed ? '\r' : '\n';
+}
+
 bool TextScanner::next_line() {
   while (!rest_.empty()) {
-    std::size_t const end = std::min(rest_.find('\n'), rest_.size());
+    std::size_t const end = std::min(rest_.find(line_end_), rest_.size());
     std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++line_;

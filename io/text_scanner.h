@@ -14,6 +14,9 @@
 
 namespace vitrine::io {
 
+/// '\r' where the first two lines end so, as some exporters still write them; else '\n'.
+char line_end(std::string_view text);
+
 /// Walks lines that hold something, and the words in each; whatever is not there or is no number is an Error with its
 /// line.
 class TextScanner {
@@ -21,7 +24,7 @@ class TextScanner {
   /// `format` ("PLY") names the file in errors; `line`: number of the line before the first; text after `comment` is
   /// skipped.
   TextScanner(std::string_view text, std::string format, std::uint64_t line = 0, char comment = '\0')
-      : rest_(text), format_(std::move(format)), line_(line), comment_(comment) {}
+      : rest_(text), format_(std::move(format)), line_(line), line_end_(line_end(text)), comment_(comment) {}
 
   /// Goes to the next line with a word in it; false at the end of the text.
   bool next_line();
@@ -55,6 +58,7 @@ class TextScanner {
   std::vector<std::string_view> words_;
   std::string format_;
   std::uint64_t line_;
+  char line_end_;
   char comment_;
 };
 

@@ -320,6 +320,15 @@ TEST(ReadGltf, SparseAccessorsReplaceElements) {
   EXPECT_EQ(model.mesh.positions[2], V3f(1, 1, 0));
 }
 
+TEST(ReadGltf, AccessorsWithoutAViewAreZero) {
+  Builder b = square();
+  b.json["accessors"].push_back({{"componentType", 5126}, {"count", 4}, {"type", "VEC3"}});
+  b.primitive()["attributes"]["NORMAL"] = b.json["accessors"].size() - 1;
+  EXPECT_THAT(read(b).normals, ElementsAre(V3f(0), V3f(0), V3f(0), V3f(0)));
+  b.json["accessors"].back()["count"] = 2'000'000'000;
+  EXPECT_THAT(reason(b), HasSubstr("2000000000 elements has no bytes"));
+}
+
 TEST(ReadGltf, PartsWithoutAnAttributeAreFilledUp) {
   Builder b = square();
   Doc second = {
@@ -584,8 +593,12 @@ TEST(ReadGltf, WhatOnlyEmitsIsUnlit) {
   material["emissiveFactor"] = {1, 1, 1};
   material["emissiveTexture"] = {{"index", 0}};
   material["pbrMetallicRoughness"] = {{"baseColorFactor", {0, 0, 0, 1}}};
-  Material const read_as = read(b).materials[0];
+  b.primitive()["attributes"]["COLOR_0"] =
+      b.accessor<std::uint8_t>("VEC3", 5121, 3, {255, 0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0});
+  SourceModel const model = read(b);
+  Material const& read_as = model.materials[0];
   EXPECT_TRUE(read_as.unlit);
+  EXPECT_THAT(model.colours, IsEmpty());  // they reflect
   EXPECT_FALSE(emits(read_as));
   EXPECT_EQ(read_as.base_colour, (Rgba{1, 1, 1, 1}));
   EXPECT_GE(read_as.colour_map.image, 0);

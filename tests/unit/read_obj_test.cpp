@@ -141,10 +141,6 @@ TEST(ReadObj, WordsThatAreNoNumbersAreErrors) {
 
 TEST(ReadObj, PointsAloneAreRefused) { EXPECT_THAT(failure(square), HasSubstr("4 points alone")); }
 
-TEST(ReadObj, AGitLfsPointerIsNamed) {
-  EXPECT_THAT(failure("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n"), HasSubstr("Git-LFS"));
-}
-
 TEST(ReadObj, TheLimitOnTrianglesHolds) {
   ReadOptions options;
   options.limits.triangles = 1;

@@ -35,6 +35,7 @@ TEST(ReadOff, PolygonsBecomeFans) {
 
 TEST(ReadOff, CountsMayStandInTheHeading) {
   EXPECT_THAT(read("OFF 4 1 0\n" + kVertices + "3 0 1 2\n").mesh.triangles, SizeIs(1));
+  EXPECT_THAT(read("OFF4 1 0\n" + kVertices + "3 0 1 2\n").mesh.triangles, SizeIs(1));
 }
 
 TEST(ReadOff, CommentsAndEmptyLinesMayStandAnywhere) {
@@ -100,6 +101,7 @@ TEST(ReadOff, FarAndSmallModelsGetAnOrigin) {
 TEST(ReadOffRefuses, OtherHeadings) {
   EXPECT_THAT(refusal(""), HasSubstr("empty"));
   EXPECT_THAT(refusal("PLY\n"), HasSubstr("line 1: \"PLY\" is no OFF heading"));
+  EXPECT_THAT(refusal("OFFICE\n"), HasSubstr("no OFF heading"));
   EXPECT_THAT(refusal("4OFF\n"), HasSubstr("four or more dimensions"));
   EXPECT_THAT(refusal("OFF BINARY\n"), HasSubstr("binary OFF is not read"));
   EXPECT_THAT(refusal("OFF\n7\n"), HasSubstr("line 2: the counts"));

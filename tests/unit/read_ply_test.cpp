@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -72,6 +73,19 @@ TEST(ReadPly, LinesMayEndAsOnWindows) {
   std::string text = ascii("", kTriangle);
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
   EXPECT_THAT(read(text).mesh.triangles, SizeIs(1));
+}
+
+/// As Rhinoceros writes them; what follows the header is numbers, whichever bytes they have.
+TEST(ReadPly, LinesOfTheHeaderMayEndAsOnMacintoshs) {
+  std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  std::ranges::replace(header, '\n', '\r');
+  float const first = std::bit_cast<float>(0x0A0A0A0Au);
+  Bytes file = Bytes().text(header).put(first, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f).put(kThree).put(0, 1, 2);
+  SourceModel const model = read(file.blob());
+  EXPECT_EQ(model.mesh.positions[0].x, first);
+  EXPECT_THAT(model.mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
 }
 
 class ReadPlyInBothOrders : public testing::TestWithParam<std::endian> {};

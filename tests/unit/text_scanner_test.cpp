@@ -29,6 +29,17 @@ TEST(TextScanner, SkipsEmptyLinesAndCountsThem) {
   EXPECT_FALSE(lines.next_line());
 }
 
+TEST(TextScanner, LinesMayEndAsMacintoshsEndedThem) {
+  TextScanner lines("a\rb\r\rc", "X");
+  for (std::string_view const word : {"a", "b", "c"}) {
+    ASSERT_TRUE(lines.next_line());
+    EXPECT_EQ(lines.rest_of_line(), word);
+  }
+  EXPECT_EQ(lines.line(), 4u);
+  for (std::string_view const text : {"a\rb\nc", "a\r\r\nb\n", "a\r\nb\r\n", "a\r", ""})
+    EXPECT_EQ(io::line_end(text), '\n') << text;
+}
+
 TEST(TextScanner, CutsCommentsOff) {
   TextScanner lines("# x\n1 # y\n", "X", 0, '#');
   ASSERT_TRUE(lines.next_line());
