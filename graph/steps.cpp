@@ -175,6 +175,7 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
   Subject subject;
   subject.triangles = model.model->mesh.triangles.size();
   subject.coloured = model.surface.coloured();
+  subject.flat = !original.samples.flat.empty();
   subject.creased = original.samples.creased && !model.surface.unlit();
   if (levels.textured) subject.own_texture = longer_side(own_image(*model.model, *levels.textured));
   bool const occluded = options.bake.occlusion != Occlusion::none && !has_colour(*model.model);

@@ -48,6 +48,7 @@ BakedModel paint_model(SimplifiedMesh const& light, Job& job) {
                                    ? round_to_grid(light.mesh, grid, job.original->samples, refit_options(recipe))
                                    : quantize(light.mesh, grid);
   PaintOptions options;
+  options.swatches = recipe.painting == Painting::swatches;
   options.colour_bits = recipe.colour_bits;
   options.smoothing = recipe.smoothing;
   options.palette = job.study->options().fit.without != Choice::palette;

@@ -16,6 +16,7 @@ double expected_bytes_per_triangle(Recipe const& recipe) {
   double bytes = kBytesPerBit * (recipe.position_bits - 3.7);
   if (has_normals(recipe)) bytes += 0.06 * recipe.normal_bits + 0.1;
   if (recipe.painting == Painting::vertices) bytes += 0.1 * recipe.colour_bits - 0.15;
+  if (recipe.painting == Painting::swatches) bytes += 0.2;
   if (is_textured(recipe)) bytes += 0.7;
   return bytes;
 }

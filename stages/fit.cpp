@@ -55,6 +55,7 @@ class Search : private Inquiry {
   Answer explore() {
     constexpr std::pair<Choice, Question> questions[] = {{Choice::none, &Search::start},
                                                          {Choice::none, &Search::choose_size},
+                                                         {Choice::swatches, &Search::choose_swatches},
                                                          {Choice::normals, &Search::choose_shading_of_vertices},
                                                          {Choice::colour_edges, &Search::choose_colour_quadrics},
                                                          {Choice::normals, &Search::choose_shading_of_vertices},
@@ -142,9 +143,15 @@ class Search : private Inquiry {
   /// What is best for others need not be best for files of the size that the error needs.
   Answer choose_size() { return options_.max_error > 0 && subject_.fixed_triangles == 0 ? resize() : Answer::worse; }
 
+  Answer choose_swatches() {
+    if (!subject_.flat || best().painting != Painting::vertices) return Answer::worse;
+    return ask_with([](Recipe& r) { r.painting = Painting::swatches; });
+  }
+
   /// Normals and edges of colour pay together, or one of them alone.
   Answer choose_shading_of_vertices() {
-    return best().painting == Painting::vertices ? choose_shading() : Answer::worse;
+    bool const in_vertices = best().painting == Painting::vertices || best().painting == Painting::swatches;
+    return in_vertices ? choose_shading() : Answer::worse;
   }
 
   Answer choose_colour_quadrics() {

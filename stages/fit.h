@@ -30,14 +30,15 @@ enum class Choice {
   bits,          ///< of positions and normals
   colours,       ///< bits and smoothness of colours per vertex
   palette,       ///< colours per vertex as red, green and blue
+  swatches,      ///< flat colours are kept like any others
   refit,         ///< vertices stay where simplification left them
   structure      ///< the mean square error alone decides
 };
 template <>
 struct EnumNames<Choice> {
-  static constexpr std::array<std::string_view, 13> names{
-      "none",         "normals", "creases", "atlas",   "own-texture", "avif",     "unfolding",
-      "colour-edges", "bits",    "colours", "palette", "refit",       "structure"};
+  static constexpr std::array<std::string_view, 14> names{
+      "none",         "normals", "creases", "atlas",   "own-texture", "avif",  "unfolding",
+      "colour-edges", "bits",    "colours", "palette", "swatches",    "refit", "structure"};
 };
 
 struct FitOptions {
@@ -81,12 +82,13 @@ struct EnumNames<Shading> {
 enum class Painting {
   none,      ///< one colour, or none
   vertices,  ///< a colour per vertex
+  swatches,  ///< a colour per face, of a few, see swatches.h
   map,       ///< a texture over an atlas of charts
   own        ///< the original's own texture, see own_texture.h
 };
 template <>
 struct EnumNames<Painting> {
-  static constexpr std::array<std::string_view, 4> names{"none", "vertices", "map", "own"};
+  static constexpr std::array<std::string_view, 5> names{"none", "vertices", "swatches", "map", "own"};
 };
 
 /// All that a trial decides.
@@ -117,6 +119,7 @@ bool is_filled(Recipe const& recipe);
 struct Subject {
   std::size_t triangles = 0;        ///< of the original: no recipe has more
   bool coloured = false;            ///< colour varies over the surface
+  bool flat = false;                ///< in a few colours, see swatches.h
   bool creased = false;             ///< see crease.h
   std::size_t fixed_triangles = 0;  ///< by --max-deviation or --max-px: the fewest that keep to it; 0: free
   int own_texture = 0;              ///< texels of the longer side of the texture that can be kept; 0: none can

@@ -6,6 +6,7 @@
 #include "stages/palette.h"
 #include "stages/parallel.h"
 #include "stages/plain_model.h"
+#include "stages/swatches.h"
 #include "stages/vertex_fit.h"
 
 #include <algorithm>
@@ -75,15 +76,37 @@ void store_colours(std::vector<V3f> const& srgb, BakedModel& model) {
   model.alpha = AlphaMode::opaque;
 }
 
-void store_palette(Palette palette, BakedModel& model) {
-  model.grid.uv_bits = model.grid.colour_bits;
-  model.corner_uvs.reserve(model.mesh.triangles.size());
-  for (auto const& [a, b, c] : model.mesh.triangles)
-    model.corner_uvs.push_back({palette.uvs[a], palette.uvs[b], palette.uvs[c]});
-  model.colour = std::move(palette.image);
+/// Colours that the model's corner_uvs pick.
+void store_picture(Image picture, int uv_bits, BakedModel& model) {
+  model.grid.uv_bits = uv_bits;
+  model.colour = std::move(picture);
   model.palette = true;
   model.base_colour = {1, 1, 1, 1};
   model.alpha = AlphaMode::opaque;
+}
+
+void store_palette(Palette palette, BakedModel& model) {
+  model.corner_uvs.reserve(model.mesh.triangles.size());
+  for (auto const& [a, b, c] : model.mesh.triangles)
+    model.corner_uvs.push_back({palette.uvs[a], palette.uvs[b], palette.uvs[c]});
+  store_picture(std::move(palette.image), model.grid.colour_bits, model);
+}
+
+void store_swatches(Swatches swatches, BakedModel& model) {
+  for (V2f const& uv : swatches.uvs) model.corner_uvs.push_back({uv, uv, uv});
+  store_picture(std::move(swatches.image), swatches.uv_bits, model);
+}
+
+void store_fitted(TriMesh const& mesh, SurveyedModel const& original, SurfaceSamples const& samples,
+                  PaintOptions const& options, BakedModel& model) {
+  model.grid.colour_bits = options.colour_bits;
+  std::vector<V3f> const colours = fitted_colours(mesh, original, samples, options.smoothing);
+  std::optional<Palette> palette;
+  if (options.palette) palette = make_palette(colours, options.colour_bits);
+  if (palette && palette->off < kMostOffPalette)
+    store_palette(*std::move(palette), model);
+  else
+    store_colours(colours, model);
 }
 
 void store_coverage(SurfaceSamples const& samples, SurveyedModel const& original, BakedModel& model) {
@@ -123,14 +146,10 @@ BakedModel paint(QuantizedMesh const& target, SurveyedModel const& original, Sur
                  PaintOptions const& options) {
   BakedModel model = plain_model(target.mesh, target.grid, original);
   if (original.surface.coloured()) {
-    model.grid.colour_bits = options.colour_bits;
-    std::vector<V3f> const colours = fitted_colours(target.mesh, original, samples, options.smoothing);
-    std::optional<Palette> palette;
-    if (options.palette) palette = make_palette(colours, options.colour_bits);
-    if (palette && palette->off < kMostOffPalette)
-      store_palette(*std::move(palette), model);
+    if (options.swatches && !samples.flat.empty())
+      store_swatches(make_swatches(target.mesh, original, samples), model);
     else
-      store_colours(colours, model);
+      store_fitted(target.mesh, original, samples, options, model);
     store_coverage(samples, original, model);
   }
   if (options.normals && !model.unlit) wear_normals(model, original, samples, options);

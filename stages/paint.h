@@ -9,6 +9,7 @@
 namespace vitrine {
 
 struct PaintOptions {
+  bool swatches = false;
   bool palette = true;
   int colour_bits = 5;
   double smoothing = 0.1;
@@ -18,6 +19,7 @@ struct PaintOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
+    visit(self.swatches, Field{"swatches", "", "give each face one of the few colours of an original in flat ones"});
     visit(self.palette,
           Field{"palette", "", "colours per vertex as places in a small palette, not as red, green and blue"});
     visit(self.colour_bits, Field{"colour-bits", "bits", "of each number of a colour per vertex", 3, 8});
@@ -35,8 +37,8 @@ struct PaintOptions {
 /// compared.
 ///
 /// In:     the mesh as the file will store it, and the original's samples.
-/// Out:    no colours for models of one colour or none: base_colour alone. Else a palette, see palette.h, in `colour`
-///         and `corner_uvs`. Without one, and where hues would be lost in it: colours per vertex, on the grid, relative
+/// Out:    no colours for models of one colour or none: base_colour alone. Swatches where they are asked for, see
+///         swatches.h. Else a palette, see palette.h, in `colour` and `corner_uvs`. Without one, and where hues would be lost in it: colours per vertex, on the grid, relative
 ///         to base_colour, which is the largest value of each channel; clients interpolate these in linear light, which
 ///         makes a face between a light and a dark vertex a little lighter.
 ///         Colours per vertex cannot cut out: what an original with alpha mask cuts out does not count, and is drawn in

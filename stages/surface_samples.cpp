@@ -7,6 +7,7 @@
 #include "stages/crease.h"
 #include "stages/edges.h"
 #include "stages/parallel.h"
+#include "stages/swatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,7 @@ SurfaceSamples sample_surface(SurveyedModel const& original, std::size_t count) 
       if (!samples.colours.empty()) samples.colours[i] = shown(sample.colour);
     }
   });
+  samples.flat = flat_colours(samples);
   return samples;
 }
 

@@ -21,6 +21,7 @@ struct SurfaceSamples {
   std::vector<V3f> normals;     ///< unit, of the faces
   std::vector<V3f> shading;     ///< unit, as drawn: interpolated, normal map applied
   std::vector<V4f> colours;     ///< sRGB in [0,1], and coverage; none if the original has but one colour
+  std::vector<V3f> flat;        ///< the colours, where they are few, see swatches.h
   std::vector<V3f> outline;     ///< on open edges
   std::vector<OnRidge> ridges;  ///< on edges where the surface turns away by 60 degrees or more; 180 count once
   bool creased = false;         ///< the shading breaks along edges, see crease.h

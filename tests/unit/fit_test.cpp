@@ -140,6 +140,18 @@ TEST(Fit, AsksForCreasesWhereTheOriginalHasThem) {
   EXPECT_EQ(winner(creased, {.without = Choice::creases}, creases_win).recipe.shading, Shading::facets);
 }
 
+TEST(Fit, KeepsFlatColoursWhereTheyPay) {
+  World swatches_win, swatches_lose;
+  swatches_win.penalty = [](Recipe const& r) { return r.painting == Painting::swatches ? 0.3 : 1; };
+  swatches_lose.penalty = [](Recipe const& r) { return r.painting == Painting::swatches ? 2 : 1; };
+  Subject flat = kPainted;
+  flat.flat = true;
+  EXPECT_EQ(winner(flat, {}, swatches_win).recipe.painting, Painting::swatches);
+  EXPECT_EQ(winner(flat, {}, swatches_lose).recipe.painting, Painting::vertices);
+  EXPECT_EQ(winner(flat, {.without = Choice::swatches}, swatches_win).recipe.painting, Painting::vertices);
+  EXPECT_EQ(winner(kPainted, {}, swatches_win).recipe.painting, Painting::vertices);
+}
+
 TEST(Fit, AsksNoNearlySameRecipeTwice) {
   World facets_win;
   facets_win.penalty = [](Recipe const& r) { return r.shading == Shading::smooth ? 2.0 : 1.0; };

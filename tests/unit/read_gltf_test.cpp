@@ -217,12 +217,6 @@ TEST(ReadGltf, AttributesOfDifferentCountsAreRefused) {
   EXPECT_THAT(reason(b), HasSubstr("1 elements of NORMAL for 4 vertices"));
 }
 
-TEST(ReadGltf, AnAccessorWithoutBytesIsRefused) {
-  Builder b = square();
-  b.json["accessors"][0].erase("bufferView");
-  EXPECT_THAT(reason(b), HasSubstr("no bytes"));
-}
-
 TEST(ReadGltf, NodesInACycleAreRefused) {
   Builder b = square();
   b.json["nodes"] = {{{"children", {1}}}, {{"children", {0}}, {"mesh", 0}}};

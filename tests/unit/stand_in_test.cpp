@@ -44,7 +44,7 @@ TEST(StandIn, IsNamedWhereGeometryLies) {
 TEST(StandIn, BinaryFilesMayBeginWithAMark) {
   test::Bytes stl;
   stl.text("\xFF\xFE").text(std::string(78, 'h')).put(std::uint32_t{1});
-  for (float value : {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}) stl.put(value);
+  for (float value : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) stl.put(value);
   stl.put(std::uint16_t{0});
   EXPECT_EQ(io::read_model(".stl", stl.blob(), test::no_files).mesh.triangles.size(), 1u);
 }
