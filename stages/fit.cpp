@@ -20,6 +20,7 @@ constexpr double kOutOfReach = 0.85, kWithinReach = 0.4;
 constexpr double kAtlasPromise = 0.15;
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
 constexpr int kLeastNormalBits = 4, kMostNormalBits = 10;
+constexpr int kMostColourBits = 8;
 constexpr int kFineBits = 13;     ///< of a place, where there is room for all triangles
 constexpr double kClearly = 0.1;  ///< of the cost's logarithm: what wins or loses by more is not asked again
 
@@ -57,6 +58,7 @@ class Search : private Inquiry {
                                                          {Choice::none, &Search::choose_size},
                                                          {Choice::swatches, &Search::choose_swatches},
                                                          {Choice::normals, &Search::choose_shading_of_vertices},
+                                                         {Choice::refit, &Search::choose_exact},
                                                          {Choice::colour_edges, &Search::choose_colour_quadrics},
                                                          {Choice::normals, &Search::choose_shading_of_vertices},
                                                          {Choice::none, &Search::choose_painting},
@@ -110,22 +112,24 @@ class Search : private Inquiry {
     return subject_.coloured && !is_left_out(Choice::atlas) && best().painting != Painting::map;
   }
 
-  /// Smooth first where the original has as few triangles as are shown, then the other way, unless that leads nowhere.
+  /// Smooth first where the original has as few triangles as are shown, unless facets have won there; then the other
+  /// way, unless the first leads nowhere.
   Answer try_texture(Painting painting) {
     Recipe recipe = best();
     recipe.painting = painting;
     recipe.colour_weight = 0;
     recipe.avif = false;
     recipe.texture = first_texture();
-    bool const smooth_first = painting == Painting::own && !is_left_out(Choice::normals);
-    (smooth_first ? wear_normals : wear_facets)(recipe);
+    bool const likely_smooth = painting == Painting::own || (is_whole(best_trial()) && has_normals(best()));
+    bool const smooth_first = likely_smooth && !is_left_out(Choice::normals);
+    wear(smooth_first ? Shading::smooth : Shading::facets, recipe);
     if (ask(recipe) == Answer::none) return Answer::none;
     if (last_cost() > cost(best_trial()) + kOutOfReach) return Answer::worse;
     std::size_t const rival = take_last();
     if (!is_left_out(Choice::normals)) {
       double const first = last_cost();
       Recipe other = asked();
-      (smooth_first ? wear_facets : wear_normals)(other);
+      wear(smooth_first ? Shading::facets : Shading::smooth, other);
       if (ask(other) == Answer::none) return Answer::none;
       normals_lost_[std::size_t(painting)] = (smooth_first ? first - last_cost() : last_cost() - first) > kClearly;
     }
@@ -203,15 +207,33 @@ class Search : private Inquiry {
     return Answer::worse;
   }
 
-  static void wear_facets(Recipe& recipe) { recipe.shading = Shading::facets, recipe.fitted = true; }
   /// What the simplification did for colours, and where a texture hangs, is kept at first.
-  static void wear_normals(Recipe& recipe) {
-    recipe.shading = Shading::smooth;
-    recipe.fitted = recipe.colour_weight == 0 && recipe.painting != Painting::own;
+  void wear(Shading shading, Recipe& recipe) const {
+    bool const kept = shading != Shading::facets && (recipe.colour_weight > 0 || recipe.painting == Painting::own);
+    recipe.shading = shading;
+    recipe.fitted = !exact_ && !kept;
+  }
+
+  Answer ask_wearing(Shading shading) {
+    Recipe recipe = best();
+    wear(shading, recipe);
+    return ask(recipe);
+  }
+
+  /// All vertices of what was made, not scanned, lie where they belong. Where it is close they stay there: the fit pushes
+  /// faces through those that lie on them, which few views show.
+  bool may_be_exact() const { return is_whole(best_trial()) && (subject_.flat || subject_.creased); }
+
+  Answer choose_exact() {
+    if (!may_be_exact() || !best().fitted) return Answer::worse;
+    if (ask_with([](Recipe& r) { r.fitted = false; }) == Answer::none) return Answer::none;
+    take_better(take_last(), kClearly);
+    exact_ = !best().fitted;
+    return Answer::worse;
   }
 
   Answer choose_fit() {
-    if (!has_normals(best()) || !subject_.coloured) return Answer::worse;
+    if (!may_be_exact() && (!has_normals(best()) || !subject_.coloured)) return Answer::worse;
     return ask_with([](Recipe& r) { r.fitted = !r.fitted; });
   }
 
@@ -223,7 +245,7 @@ class Search : private Inquiry {
     Recipe coarser = best();
     fewer_bits(coarser);
     double const facets = cost(best_trial());
-    Answer const answer = ask_with(wear_normals);
+    Answer const answer = ask_wearing(Shading::smooth);
     bool const clear = answer != Answer::better || cost(best_trial()) < facets - kClearly;
     if (clear || is_filled(best()) || is_left_out(Choice::bits)) return answer;
     return ask(coarser) == Answer::none ? Answer::none : Answer::better;
@@ -232,17 +254,17 @@ class Search : private Inquiry {
   /// Edges are lit as the original's, at the cost of as many more normals.
   Answer choose_creases() {
     if (!subject_.creased || is_left_out(Choice::normals)) return Answer::worse;
-    return ask_with([](Recipe& r) {
-      if (!has_normals(r)) wear_normals(r);
-      r.shading = Shading::creased;
-    });
+    Recipe recipe = best();
+    if (!has_normals(recipe)) wear(Shading::smooth, recipe);
+    recipe.shading = Shading::creased;
+    return ask(recipe);
   }
 
   /// Neither facets nor normals show what they are worth while coarse places spoil the surface. Where normals pay after
   /// all, places may be coarser again: they no longer decide how it is lit.
   Answer reconsider_shading() {
     if (best().position_bits <= Recipe{}.position_bits) return Answer::worse;
-    if (has_normals(best()) && !is_textured(best())) return ask_with(wear_facets);
+    if (has_normals(best()) && !is_textured(best())) return ask_wearing(Shading::facets);
     Answer answer = best().position_bits > Recipe{}.position_bits + 1 ? choose_shading() : Answer::worse;
     while (answer == Answer::better) answer = ask_with(fewer_bits);
     return answer;
@@ -270,15 +292,18 @@ class Search : private Inquiry {
 
   Answer choose_colours() {
     if (best().painting != Painting::vertices) return Answer::worse;
-    bool const small = aim() < 12000;
-    Answer const bits =
-        small ? ask_with([](Recipe& r) { --r.colour_bits; }) : ask_with([](Recipe& r) { ++r.colour_bits; });
+    bool const whole = is_whole(best_trial()), small = aim() < 12000 && !whole;
+    Change const fewer = [](Recipe& r) { --r.colour_bits; };
+    Change const more = [](Recipe& r) { r.colour_bits = std::min(r.colour_bits + 1, kMostColourBits); };
+    Answer bits = ask_with(small ? fewer : more);
+    while (whole && bits == Answer::better) bits = ask_with(more);
     if (bits == Answer::none) return bits;
     return small ? ask_with([](Recipe& r) { r.smoothing *= 10; }) : ask_with([](Recipe& r) { r.smoothing /= 10; });
   }
 
   Subject subject_;
   std::array<bool, EnumNames<Painting>::names.size()> normals_lost_{};  ///< against facets, clearly
+  bool exact_ = false;  ///< vertices are not fitted, as that won where there is room for all
   FitOptions options_;
   std::span<Trial const> history_;
 };

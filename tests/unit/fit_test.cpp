@@ -152,6 +152,16 @@ TEST(Fit, KeepsFlatColoursWhereTheyPay) {
   EXPECT_EQ(winner(kPainted, {}, swatches_win).recipe.painting, Painting::vertices);
 }
 
+TEST(Fit, LeavesVerticesWhereTheyWereMadeIfAllHaveRoom) {
+  World exact_wins;
+  exact_wins.penalty = [](Recipe const& r) { return r.fitted ? 1 : 0.3; };
+  constexpr Subject whole{.triangles = 2000, .creased = true}, scan{.triangles = 2000};
+  EXPECT_FALSE(winner(whole, {.max_kb = 64}, exact_wins).recipe.fitted);
+  EXPECT_TRUE(winner(whole, {.max_kb = 64}, {}).recipe.fitted);
+  EXPECT_TRUE(winner({.triangles = 100'000, .creased = true}, {}, exact_wins).recipe.fitted);
+  EXPECT_TRUE(winner(scan, {.max_kb = 64}, exact_wins).recipe.fitted);
+}
+
 TEST(Fit, AsksNoNearlySameRecipeTwice) {
   World facets_win;
   facets_win.penalty = [](Recipe const& r) { return r.shading == Shading::smooth ? 2.0 : 1.0; };
