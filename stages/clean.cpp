@@ -84,13 +84,24 @@ std::uint64_t drop_faces_without_area(SourceModel& model, std::vector<std::uint3
   });
 }
 
+/// With the lowest corner first.
+Triangle turned(Triangle t) {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+/// Of faces that face one way the last is kept: clients draw it over the others.
 std::uint64_t drop_duplicate_faces(SourceModel& model, std::vector<std::uint32_t> const& places) {
+  auto const at = [&](std::size_t f) { return placed(model.mesh.triangles[f], places); };
   std::vector<std::uint32_t> const first = first_equal(model.mesh.triangles.size(), [&](std::size_t f) {
-    Triangle t = placed(model.mesh.triangles[f], places);
+    Triangle t = at(f);
     std::sort(t.begin(), t.end());
     return t;
   });
-  return drop_faces(model, [&](std::size_t f) { return first[f] == f; });
+  std::vector<std::uint32_t> kept = first;  // by the first of each
+  for (std::uint32_t f = 0; f < first.size(); ++f)
+    if (first[f] != f && turned(at(f)) == turned(at(first[f]))) kept[first[f]] = f;
+  return drop_faces(model, [&](std::size_t f) { return kept[first[f]] == f; });
 }
 
 /// Turns all faces round if more area lies against the vertices' normals than with them.

@@ -220,12 +220,12 @@ class Search : private Inquiry {
     return ask(recipe);
   }
 
-  /// All vertices of what was made, not scanned, lie where they belong. Where it is close they stay there: the fit pushes
-  /// faces through those that lie on them, which few views show.
+  /// All vertices of what was made, not scanned, lie where they belong.
   bool may_be_exact() const { return is_whole(best_trial()) && (subject_.flat || subject_.creased); }
 
+  /// Where it is close they stay there: the fit pushes faces through those that lie on them, which few views show.
   Answer choose_exact() {
-    if (!may_be_exact() || !best().fitted) return Answer::worse;
+    if (!may_be_exact() || !subject_.flat || !best().fitted) return Answer::worse;
     if (ask_with([](Recipe& r) { r.fitted = false; }) == Answer::none) return Answer::none;
     take_better(take_last(), kClearly);
     exact_ = !best().fitted;

@@ -69,7 +69,7 @@ TEST(Clean, DropsFacesWithoutArea) {
 
 TEST(Clean, KeepsASliver) { EXPECT_THAT(clean(test::plain_model(test::sliver())).model.mesh.triangles, SizeIs(1)); }
 
-TEST(Clean, DropsAFaceAtTheSameThreePlacesInEitherWinding) {
+TEST(Clean, KeepsTheLastOfFacesAtThreePlacesThatFaceAsTheFirst) {
   SourceModel model = soup(test::grid(1, 1));
   model.mesh.triangles.push_back({5, 4, 3});
   model.mesh.triangles.push_back({1, 2, 0});
@@ -77,8 +77,8 @@ TEST(Clean, DropsAFaceAtTheSameThreePlacesInEitherWinding) {
   model.materials.resize(4);
   CleanModel const result = clean(model);
   EXPECT_EQ(result.repairs.duplicate_faces, 2u);
-  EXPECT_THAT(result.model.mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{3, 4, 5}));
-  EXPECT_THAT(result.model.face_materials, ElementsAre(0, 1));
+  EXPECT_THAT(result.model.mesh.triangles, ElementsAre(Triangle{3, 4, 5}, Triangle{1, 2, 0}));
+  EXPECT_THAT(result.model.face_materials, ElementsAre(1, 3));
 }
 
 TEST(Clean, RefusesAModelWithoutArea) {
