@@ -90,9 +90,10 @@ Triangle turned(Triangle t) {
   return t;
 }
 
-/// Of faces that face one way the last is kept: clients draw it over the others.
+/// The last is kept, which clients draw over the others; but the other side of the first only if it looks different.
 std::uint64_t drop_duplicate_faces(SourceModel& model, std::vector<std::uint32_t> const& places) {
-  auto const at = [&](std::size_t f) { return placed(model.mesh.triangles[f], places); };
+  auto const material = [&](std::size_t f) { return model.face_materials.empty() ? 0 : model.face_materials[f]; };
+  auto const at = [&](std::size_t f) { return turned(placed(model.mesh.triangles[f], places)); };
   std::vector<std::uint32_t> const first = first_equal(model.mesh.triangles.size(), [&](std::size_t f) {
     Triangle t = at(f);
     std::sort(t.begin(), t.end());
@@ -100,7 +101,7 @@ std::uint64_t drop_duplicate_faces(SourceModel& model, std::vector<std::uint32_t
   });
   std::vector<std::uint32_t> kept = first;  // by the first of each
   for (std::uint32_t f = 0; f < first.size(); ++f)
-    if (first[f] != f && turned(at(f)) == turned(at(first[f]))) kept[first[f]] = f;
+    if (at(f) == at(first[f]) || material(f) != material(first[f])) kept[first[f]] = f;
   return drop_faces(model, [&](std::size_t f) { return kept[first[f]] == f; });
 }
 

@@ -9,7 +9,7 @@ namespace vitrine {
 struct Repairs {
   std::uint64_t nonfinite_vertices = 0;  ///< position NaN, infinite or beyond 1e18; the faces that use them are dropped
   std::uint64_t degenerate_faces = 0;    ///< without area: repeated or collinear corners
-  std::uint64_t duplicate_faces = 0;     ///< at the same three places as a later one, or as one of the other winding
+  std::uint64_t duplicate_faces = 0;     ///< the same three places again, in either winding
   std::uint64_t repaired_normals = 0;    ///< zero or non-finite normals replaced by the surface's
   std::uint64_t flipped_faces = 0;       ///< the whole model was wound against its own normals and is turned round
 };

@@ -69,16 +69,19 @@ TEST(Clean, DropsFacesWithoutArea) {
 
 TEST(Clean, KeepsASliver) { EXPECT_THAT(clean(test::plain_model(test::sliver())).model.mesh.triangles, SizeIs(1)); }
 
-TEST(Clean, KeepsTheLastOfFacesAtThreePlacesThatFaceAsTheFirst) {
+TEST(Clean, KeepsTheLastFaceAtThreePlacesUnlessItIsTheOtherSideOfTheFirst) {
   SourceModel model = soup(test::grid(1, 1));
   model.mesh.triangles.push_back({5, 4, 3});
   model.mesh.triangles.push_back({1, 2, 0});
-  model.face_materials = {0, 1, 2, 3};
+  model.face_materials = {0, 1, 1, 3};
   model.materials.resize(4);
   CleanModel const result = clean(model);
   EXPECT_EQ(result.repairs.duplicate_faces, 2u);
   EXPECT_THAT(result.model.mesh.triangles, ElementsAre(Triangle{3, 4, 5}, Triangle{1, 2, 0}));
   EXPECT_THAT(result.model.face_materials, ElementsAre(1, 3));
+
+  model.face_materials = {0, 1, 2, 3};
+  EXPECT_THAT(clean(model).model.mesh.triangles, ElementsAre(Triangle{5, 4, 3}, Triangle{1, 2, 0}));
 }
 
 TEST(Clean, RefusesAModelWithoutArea) {
