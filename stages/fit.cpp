@@ -19,8 +19,7 @@ constexpr double kOutOfReach = 0.85, kWithinReach = 0.4;
 /// The same: what is asked after the painting gains so much more where there is an atlas than for colours per vertex.
 constexpr double kAtlasPromise = 0.15;
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
-constexpr int kLeastNormalBits = 4, kMostNormalBits = 10;
-constexpr int kMostColourBits = 8;
+constexpr int kLeastNormalBits = 4, kMostNormalBits = 10, kMostColourBits = 8;
 constexpr int kFineBits = 13;     ///< of a place, where there is room for all triangles
 constexpr double kClearly = 0.1;  ///< of the cost's logarithm: what wins or loses by more is not asked again
 
@@ -33,25 +32,11 @@ class Search : private Inquiry {
   std::optional<Recipe> next() {
     if (explore() == Answer::none) return asked();
     if (subject_.fixed_triangles > 0) return {};
-    return is_filled(best()) && options_.max_error == 0 ? shrunk() : land();
+    return is_filled(best()) && options_.max_error == 0 ? shrunk(subject_, options_, history_) : land();
   }
 
  private:
   using Question = Answer (Search::*)();
-
-  /// The smallest file so far with less of everything, as long as none keeps to the ceiling: not even the poorest
-  /// quality makes up for too many triangles.
-  std::optional<Recipe> shrunk() const {
-    constexpr double kLess = 0.9;
-    if (best_within(subject_, options_, history_)) return {};
-    Trial const& smallest = *std::min_element(history_.begin(), history_.end(), are_smaller);
-    Recipe recipe = smallest.recipe;
-    double const share = kLess * 1000 * options_.max_kb / double(smallest.bytes);
-    recipe.triangles = std::max(kFewest, int(recipe.triangles * share));
-    recipe.texture = std::max(kSmallestTexture, int(recipe.texture * std::sqrt(share)));
-    bool const tried = std::ranges::find(history_, recipe, &Trial::recipe) != history_.end();
-    return tried ? std::nullopt : std::optional(recipe);
-  }
 
   Answer explore() {
     constexpr std::pair<Choice, Question> questions[] = {{Choice::none, &Search::start},

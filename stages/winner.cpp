@@ -5,6 +5,7 @@
 #include "stages/inquiry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -15,6 +16,10 @@ namespace {
 double rank(Subject const& subject, FitOptions const& options, Trial const& trial) {
   if (options.max_error > 0) return double(trial.bytes);
   return subject.fixed_triangles > 0 ? size_cost(trial) : trial.score;
+}
+
+Trial const& smallest_of(std::span<Trial const> history) {
+  return *std::ranges::min_element(history, {}, &Trial::bytes);
 }
 
 std::string text(double value) {
@@ -35,6 +40,18 @@ std::optional<std::size_t> best_within(Subject const& subject, FitOptions const&
   return best;
 }
 
+std::optional<Recipe> shrunk(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {
+  constexpr double kLess = 0.9;
+  if (best_within(subject, options, history)) return {};
+  Trial const& smallest = smallest_of(history);
+  Recipe recipe = smallest.recipe;
+  double const share = kLess * 1000 * options.max_kb / double(smallest.bytes);
+  recipe.triangles = std::max(kFewest, int(recipe.triangles * share));
+  recipe.texture = std::max(kSmallestTexture, int(recipe.texture * std::sqrt(share)));
+  bool const tried = std::ranges::find(history, recipe, &Trial::recipe) != history.end();
+  return tried ? std::nullopt : std::optional(recipe);
+}
+
 Trial failed_trial(Recipe const& recipe) {
   constexpr double worst = std::numeric_limits<double>::infinity();
   return {recipe, std::numeric_limits<std::size_t>::max(), 0, 0, worst, worst};
@@ -43,7 +60,7 @@ Trial failed_trial(Recipe const& recipe) {
 std::size_t best_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history) {
   if (std::optional<std::size_t> const best = best_within(subject, options, history)) return *best;
   auto const nearer = [](Trial const& a, Trial const& b) { return a.error < b.error; };
-  Trial const smallest = *std::min_element(history.begin(), history.end(), are_smaller);
+  Trial const& smallest = smallest_of(history);
   Trial const nearest = *std::min_element(history.begin(), history.end(), nearer);
   if (options.max_error > 0)
     throw Error(ErrorKind::no_solution,

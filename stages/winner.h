@@ -10,10 +10,12 @@
 
 namespace vitrine {
 
-inline bool are_smaller(Trial const& a, Trial const& b) { return a.bytes < b.bytes; }
-
 /// Index of the best trial that keeps within the limits.
 std::optional<std::size_t> best_within(Subject const& subject, FitOptions const& options,
                                        std::span<Trial const> history);
+
+/// The smallest file so far with less of everything, as long as none keeps to the ceiling: not even a map's poorest
+/// quality makes up for too many triangles. Nothing once that was tried.
+std::optional<Recipe> shrunk(Subject const& subject, FitOptions const& options, std::span<Trial const> history);
 
 }  // namespace vitrine
