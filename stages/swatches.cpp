@@ -86,22 +86,20 @@ Image picture(std::vector<V3f> const& swatches) {
 }  // namespace
 
 std::vector<V3f> flat_colours(SurfaceSamples const& samples) {
-  constexpr std::size_t kMost = 64;
-  constexpr double kNearlyAll = 0.995;  ///< what filters mix at the edges of a texture's patches may be left over
-  std::vector<Counted> const colours = counted(samples);
+  constexpr std::size_t kMost = 64, kFew = 8;
+  constexpr double kNearlyAll = 0.995;
   std::size_t all = 0, kept = 0;
-  for (Counted const& one : colours) all += one.samples;
   std::vector<V3f> swatches;
-  for (Counted const& one : colours) {
+  for (Counted const& one : counted(samples)) {
+    all += one.samples;
     V3f const colour = unpacked(one.colour);
-    bool known = std::ranges::any_of(swatches, [&](V3f const& swatch) { return is_same(swatch, colour); });
-    if (!known && double(kept) < kNearlyAll * double(all)) {
-      swatches.push_back(colour);
-      known = true;
-    }
+    bool const known = std::ranges::any_of(swatches, [&](V3f const& swatch) { return is_same(swatch, colour); });
+    if (!known && one.samples < kFew) continue;
+    if (!known) swatches.push_back(colour);
     if (swatches.size() > kMost) return {};
-    if (known) kept += one.samples;
+    kept += one.samples;
   }
+  if (double(kept) < kNearlyAll * double(all)) swatches.clear();
   return swatches;
 }
 

@@ -9,8 +9,9 @@
 
 namespace vitrine {
 
-/// The colours, 8-bit sRGB, that nearly all samples show to within three steps of each channel, the commonest first.
-/// None where that takes more than 64, as on any scan.
+/// The colours, 8-bit sRGB, that samples show to within three steps of each channel, the commonest first. What fewer
+/// than eight samples show is left out, as filters mix it at the edges of a texture's patches. None where more than 64
+/// are left, as on any scan, or where more than one sample in 200 shows another.
 std::vector<V3f> flat_colours(SurfaceSamples const& samples);
 
 struct Swatches {

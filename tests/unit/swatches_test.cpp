@@ -45,9 +45,10 @@ TEST(FlatColours, AreFew) {
 }
 
 TEST(FlatColours, LeaveOutWhatFiltersMixed) {
-  V3f const red = bytes(200, 10, 10), blue = bytes(10, 10, 200), mixed = bytes(100, 10, 100);
+  V3f const red = bytes(200, 10, 10), blue = bytes(10, 10, 200), mixed = bytes(100, 10, 100), lamp = bytes(250, 250, 0);
   EXPECT_THAT(flat_colours(showing({{red, 597}, {blue, 400}, {mixed, 3}})), testing::ElementsAre(red, blue));
-  EXPECT_THAT(flat_colours(showing({{red, 590}, {blue, 400}, {mixed, 10}})), SizeIs(3));
+  EXPECT_THAT(flat_colours(showing({{red, 5970}, {blue, 4000}, {lamp, 10}})), testing::ElementsAre(red, blue, lamp));
+  EXPECT_THAT(flat_colours(showing({{red, 597}, {blue, 200}, {mixed, 5}})), IsEmpty());
 }
 
 TEST(FlatColours, ThatDifferByNoiseAreOne) {
