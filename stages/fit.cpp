@@ -19,6 +19,7 @@ constexpr double kOutOfReach = 0.85, kWithinReach = 0.4;
 /// The same: what is asked after the painting gains so much more where there is an atlas than for colours per vertex.
 constexpr double kAtlasPromise = 0.15;
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
+constexpr int kExactBits = 16;                 ///< the same, where all triangles have room
 constexpr int kLeastNormalBits = 4, kMostNormalBits = 10, kMostColourBits = 8;
 constexpr int kFineBits = 13;     ///< of a place, where there is room for all triangles
 constexpr double kClearly = 0.1;  ///< of the cost's logarithm: what wins or loses by more is not asked again
@@ -262,8 +263,10 @@ class Search : private Inquiry {
   Answer choose_bits() { return is_filled(best()) ? Answer::worse : walk_bits(&Search::ask); }
 
   Answer walk_bits(Answer (Inquiry::*question)(Recipe)) {
-    constexpr int steps = kMostBits - kLeastBits;
-    Change const more = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kMostBits); };
+    constexpr int steps = kExactBits - kLeastBits;
+    Change const to_most = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kMostBits); };
+    Change const to_exact = [](Recipe& r) { r.position_bits = std::min(r.position_bits + 1, kExactBits); };
+    Change const more = is_whole(best_trial()) ? to_exact : to_most;
     return aim() < 11000 ? walk(question, fewer_bits, more, steps) : walk(question, more, fewer_bits, steps);
   }
 
