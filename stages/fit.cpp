@@ -98,19 +98,18 @@ class Search : private Inquiry {
     return subject_.coloured && !is_left_out(Choice::atlas) && best().painting != Painting::map;
   }
 
-  /// Smooth first where the original has as few triangles as are shown, unless facets have won there; then the other
-  /// way, unless the first leads nowhere.
+  /// Smooth first where the original has as few triangles as are shown, then the other way, unless that leads nowhere.
   Answer try_texture(Painting painting) {
     Recipe recipe = best();
     recipe.painting = painting;
     recipe.colour_weight = 0;
     recipe.avif = false;
     recipe.texture = first_texture();
-    bool const likely_smooth = painting == Painting::own || (is_whole(best_trial()) && has_normals(best()));
-    bool const smooth_first = likely_smooth && !is_left_out(Choice::normals);
+    bool const smooth_first = painting == Painting::own && !is_left_out(Choice::normals);
+    bool const smooth_won = !smooth_first && has_normals(best()) && is_whole(best_trial());
     wear(smooth_first ? Shading::smooth : Shading::facets, recipe);
     if (ask(recipe) == Answer::none) return Answer::none;
-    if (last_cost() > cost(best_trial()) + kOutOfReach) return Answer::worse;
+    if (!smooth_won && last_cost() > cost(best_trial()) + kOutOfReach) return Answer::worse;
     std::size_t const rival = take_last();
     if (!is_left_out(Choice::normals)) {
       double const first = last_cost();
