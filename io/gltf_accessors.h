@@ -39,7 +39,7 @@ std::vector<float> to_floats(ComponentArray const& array);
 std::vector<std::uint32_t> to_indices(ComponentArray const& array);
 
 /// An accessor with its sparse replacements; zeros where it has no view. Errors: InvalidInput when it reaches past its
-/// view, names what is not there, or is to be more zeros than the file has bytes.
+/// view, names what is not there, or has more elements without a view than the file has bytes.
 ComponentArray read_accessor(GltfFile& gltf, std::uint64_t index);
 
 }  // namespace vitrine::io

@@ -22,8 +22,9 @@ std::string join_continued(std::string_view text) {
   std::string joined;
   joined.reserve(text.size());
   std::string line_ends;
+  char const line_end = io::line_end(text);
   while (!text.empty()) {
-    std::size_t const end = std::min(text.find('\n'), text.size());
+    std::size_t const end = std::min(text.find(line_end), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.ends_with('\r')) line.remove_suffix(1);
@@ -39,7 +40,7 @@ std::string join_continued(std::string_view text) {
 }
 
 bool has_continued(std::string_view text) {
-  return text.find("\\\n") != std::string_view::npos || text.find("\\\r\n") != std::string_view::npos;
+  return text.find("\\\n") != std::string_view::npos || text.find("\\\r") != std::string_view::npos;
 }
 
 float finite_or_zero(double value) {

@@ -19,6 +19,7 @@ bool starts(std::string_view text, std::string_view start) {
 }
 
 bool is_web_page(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   return starts(text, "<!doctype html") || starts(text, "<html");
 }
@@ -28,7 +29,8 @@ bool is_utf16(std::string_view text) {
   if (text.size() < 8) return false;
   std::size_t const high = text.starts_with("\xFE\xFF") ? 0 : 1;
   if (high == 1 && !text.starts_with("\xFF\xFE")) return false;
-  return text[2 + high] == 0 && text[4 + high] == 0 && text[6 + high] == 0;
+  auto const is_ascii = [&](std::size_t at) { return text[at + high] == 0 && text[at + 1 - high] > 0; };
+  return is_ascii(2) && is_ascii(4) && is_ascii(6);
 }
 
 }  // namespace

@@ -36,9 +36,11 @@ std::string_view without_plus(std::string_view word) {
 }  // namespace
 
 char line_end(std::string_view text) {
+  constexpr auto none = std::string_view::npos;
   text = text.substr(0, 1 << 16);
-  std::size_t const feed = std::min(text.find('\n'), text.size()), first = text.find('\r'),
-                    second = first < feed ? text.find('\r', first + 1) : feed;
+  std::size_t const feed = text.find('\n'), first = text.find('\r');
+  if (feed == none) return first == none ? '\n' : '\r';
+  std::size_t const second = first == none ? none : text.find('\r', first + 1);
   return second < feed && second + 1 != feed ? '\r' : '\n';
 }
 

@@ -14,7 +14,7 @@
 
 namespace vitrine::io {
 
-/// '\r' where the first two lines end so, as some exporters still write them; else '\n'.
+/// '\r' where the first two lines end so, or no line otherwise, as some exporters still write them; else '\n'.
 char line_end(std::string_view text);
 
 /// Walks lines that hold something, and the words in each; whatever is not there or is no number is an Error with its

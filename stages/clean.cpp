@@ -90,7 +90,7 @@ Triangle turned(Triangle t) {
   return t;
 }
 
-/// The last is kept, which clients draw over the others; but the other side of the first only if it looks different.
+/// The last is kept, which clients draw over the others; but the other side of the first only in another material.
 std::uint64_t drop_duplicate_faces(SourceModel& model, std::vector<std::uint32_t> const& places) {
   auto const material = [&](std::size_t f) { return model.face_materials.empty() ? 0 : model.face_materials[f]; };
   auto const at = [&](std::size_t f) { return turned(placed(model.mesh.triangles[f], places)); };

@@ -173,10 +173,10 @@ struct BakedModel {
   std::vector<V3f> chart_tangents;         ///< c, each +X, +Y or +Z; glTF's TANGENT of all the chart's vertices, w = 1
   V3d origin{0, 0, 0};
   Grid grid;
-  Rgba base_colour{1, 1, 1, 1};         ///< multiplies colour map and vertex colours; alone for models of one colour
-  std::optional<Image> colour;          ///< sRGB, 3 or 4 channels
-  bool palette = false;                 ///< `colour` lists colours that vertices pick by their uvs, see palette.h
-  std::optional<Image> normal;          ///< tangent space of chart_tangents, 3 channels, linear
+  Rgba base_colour{1, 1, 1, 1};  ///< multiplies colour map and vertex colours; alone for models of one colour
+  std::optional<Image> colour;   ///< sRGB, 3 or 4 channels
+  bool palette = false;         ///< `colour` lists colours that corners pick by their uvs, see palette.h and swatches.h
+  std::optional<Image> normal;  ///< tangent space of chart_tangents, 3 channels, linear
   std::optional<Image> derived_normal;  ///< the same normals for clients that build the frame without TANGENT
   std::optional<Image> occlusion;       ///< 1 channel, linear
   AlphaMode alpha = AlphaMode::opaque;

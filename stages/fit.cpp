@@ -98,7 +98,8 @@ class Search : private Inquiry {
     return subject_.coloured && !is_left_out(Choice::atlas) && best().painting != Painting::map;
   }
 
-  /// Smooth first where the original has as few triangles as are shown, then the other way, unless that leads nowhere.
+  /// The original's own texture smooth first, an atlas in facets; then the other way, unless the first leads nowhere. Where
+  /// normals have won with all triangles, an atlas is not left before it had them.
   Answer try_texture(Painting painting) {
     Recipe recipe = best();
     recipe.painting = painting;
@@ -218,7 +219,8 @@ class Search : private Inquiry {
   }
 
   Answer choose_fit() {
-    if (!may_be_exact() && (!has_normals(best()) || !subject_.coloured)) return Answer::worse;
+    bool const stays = best().fitted && !may_be_exact();
+    if (stays && (!has_normals(best()) || !subject_.coloured)) return Answer::worse;
     return ask_with([](Recipe& r) { r.fitted = !r.fitted; });
   }
 

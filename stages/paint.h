@@ -38,9 +38,10 @@ struct PaintOptions {
 ///
 /// In:     the mesh as the file will store it, and the original's samples.
 /// Out:    no colours for models of one colour or none: base_colour alone. Swatches where they are asked for, see
-///         swatches.h. Else a palette, see palette.h, in `colour` and `corner_uvs`. Without one, and where hues would be lost in it: colours per vertex, on the grid, relative
-///         to base_colour, which is the largest value of each channel; clients interpolate these in linear light, which
-///         makes a face between a light and a dark vertex a little lighter.
+///         swatches.h. Else a palette, see palette.h, in `colour` and `corner_uvs`. Without one, and where hues would be
+///         lost in it: colours per vertex, on the grid, relative to base_colour, which is the largest value of each
+///         channel; clients interpolate these in linear light, which makes a face between a light and a dark vertex a
+///         little lighter.
 ///         Colours per vertex cannot cut out: what an original with alpha mask cuts out does not count, and is drawn in
 ///         the colours around; of one that blends the mean coverage remains, as one alpha for all.
 ///         Normals are fitted to those that the original is drawn with; none for unlit ones.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 
@@ -16,10 +17,12 @@ namespace {
 
 constexpr std::size_t kGrain = 1024;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr float kSame = 3.5f / 255;  ///< per channel
+constexpr std::uint64_t kNoVote = std::numeric_limits<std::uint64_t>::max();
 
-bool is_same(V3f const& a, V3f const& b) {
-  return std::abs(a.x - b.x) < kSame && std::abs(a.y - b.y) < kSame && std::abs(a.z - b.z) < kSame;
+/// Per channel of 8 bits.
+bool within(float steps, V3f const& a, V3f const& b) {
+  float const most = (steps + 0.5f) / 255;
+  return std::abs(a.x - b.x) < most && std::abs(a.y - b.y) < most && std::abs(a.z - b.z) < most;
 }
 
 struct Counted {
@@ -51,21 +54,26 @@ std::size_t nearest(V3f const& colour, std::vector<V3f> const& swatches) {
   return std::size_t(std::ranges::min_element(swatches, {}, distance) - swatches.begin());
 }
 
-/// By face and swatch: how many samples.
-std::vector<std::uint32_t> votes(TriMesh const& mesh, SurfaceSamples const& samples) {
+/// By face: the swatch that most samples show, or kNone.
+std::vector<std::uint32_t> voted(TriMesh const& mesh, SurfaceSamples const& samples) {
   FaceGrid const grid(mesh, usual_reach(mesh));
-  std::vector<std::uint32_t> slots(samples.points.size(), kNone);
-  parallel_for(slots.size(), kGrain, [&](std::size_t s) {
+  std::vector<std::uint64_t> votes(samples.points.size(), kNoVote);  // face, then swatch
+  parallel_for(votes.size(), kGrain, [&](std::size_t s) {
     V4f const& colour = samples.colours[s];
     if (!(colour.w > 0)) return;
     if (auto const found = grid.closest(samples.points[s], samples.normals[s]))
-      slots[s] =
-          std::uint32_t(found->face * samples.flat.size() + nearest({colour.x, colour.y, colour.z}, samples.flat));
+      votes[s] = std::uint64_t(found->face) << 32 | nearest({colour.x, colour.y, colour.z}, samples.flat);
   });
-  std::vector<std::uint32_t> counts(mesh.triangles.size() * samples.flat.size(), 0);
-  for (std::uint32_t const slot : slots)
-    if (slot != kNone) ++counts[slot];
-  return counts;
+  std::ranges::sort(votes);
+  std::vector<std::uint32_t> swatches(mesh.triangles.size(), kNone), most(mesh.triangles.size(), 0);
+  for (auto run = votes.begin(); run != votes.end() && *run != kNoVote;) {
+    auto const end = std::upper_bound(run, votes.end(), *run);
+    std::size_t const face = *run >> 32;
+    if (auto const count = std::uint32_t(end - run); count > most[face])
+      most[face] = count, swatches[face] = std::uint32_t(*run);
+    run = end;
+  }
+  return swatches;
 }
 
 std::size_t closest_to(V3f const& place, SurveyedModel const& original, std::vector<V3f> const& swatches) {
@@ -87,19 +95,21 @@ Image picture(std::vector<V3f> const& swatches) {
 
 std::vector<V3f> flat_colours(SurfaceSamples const& samples) {
   constexpr std::size_t kMost = 64, kFew = 8;
-  constexpr double kNearlyAll = 0.995;
-  std::size_t all = 0, kept = 0;
+  constexpr double kNearlyAll = 0.995, kMostly = 0.9;
+  std::size_t all = 0, kept = 0, exact = 0;
   std::vector<V3f> swatches;
   for (Counted const& one : counted(samples)) {
     all += one.samples;
     V3f const colour = unpacked(one.colour);
-    bool const known = std::ranges::any_of(swatches, [&](V3f const& swatch) { return is_same(swatch, colour); });
-    if (!known && one.samples < kFew) continue;
-    if (!known) swatches.push_back(colour);
+    auto const shows = [&](float steps) {
+      return std::ranges::any_of(swatches, [&](V3f const& swatch) { return within(steps, swatch, colour); });
+    };
+    if (!shows(3) && one.samples >= kFew) swatches.push_back(colour);
     if (swatches.size() > kMost) return {};
-    kept += one.samples;
+    if (shows(3)) kept += one.samples;
+    if (shows(1)) exact += one.samples;
   }
-  if (double(kept) < kNearlyAll * double(all)) swatches.clear();
+  if (double(kept) < kNearlyAll * double(all) || double(exact) < kMostly * double(all)) swatches.clear();
   return swatches;
 }
 
@@ -108,14 +118,12 @@ Swatches make_swatches(TriMesh const& mesh, SurveyedModel const& original, Surfa
   Swatches made{picture(samples.flat), {}, 3};
   while (1 << made.uv_bits <= made.image.width) ++made.uv_bits;
   AxisCodes const codes(0, 1, made.uv_bits);
-  std::vector<std::uint32_t> const counts = votes(mesh, samples);
+  std::vector<std::uint32_t> const chosen = voted(mesh, samples);
   made.uvs.resize(mesh.triangles.size());
   parallel_for(made.uvs.size(), kGrain, [&](std::size_t f) {
-    auto const first = counts.begin() + std::ptrdiff_t(f * many), most = std::max_element(first, first + many);
     auto const& [a, b, c] = mesh.triangles[f];
-    std::size_t const swatch =
-        *most > 0 ? std::size_t(most - first)
-                  : closest_to((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3, original, samples.flat);
+    V3f const middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    std::size_t const swatch = chosen[f] != kNone ? chosen[f] : closest_to(middle, original, samples.flat);
     made.uvs[f] = {codes.value(codes.code((float(swatch) + 0.5f) / float(many))), codes.value(0)};
   });
   return made;

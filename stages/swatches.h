@@ -4,14 +4,14 @@
 
 #include "stages/surface_samples.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace vitrine {
 
 /// The colours, 8-bit sRGB, that samples show to within three steps of each channel, the commonest first. What fewer
 /// than eight samples show is left out, as filters mix it at the edges of a texture's patches. None where more than 64
-/// are left, as on any scan, or where more than one sample in 200 shows another.
+/// are left, as on any scan, where more than one sample in 200 shows another, or one in ten is off by more than a step,
+/// as in a ramp of greys.
 std::vector<V3f> flat_colours(SurfaceSamples const& samples);
 
 struct Swatches {

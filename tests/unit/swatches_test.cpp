@@ -30,7 +30,7 @@ SurfaceSamples showing(std::vector<std::pair<V3f, int>> const& colours) {
   return samples;
 }
 
-std::vector<std::pair<V3f, int>> greys(int count) {
+std::vector<std::pair<V3f, int>> patches(int count) {
   std::vector<std::pair<V3f, int>> found;
   for (int i = 0; i < count; ++i) found.push_back({bytes(4 * (i % 60), 200 * (i / 60), 0), 10});
   return found;
@@ -39,8 +39,8 @@ std::vector<std::pair<V3f, int>> greys(int count) {
 TEST(FlatColours, AreFew) {
   V3f const red = bytes(200, 10, 10), blue = bytes(10, 10, 200);
   EXPECT_THAT(flat_colours(showing({{red, 40}, {blue, 60}})), testing::ElementsAre(blue, red));
-  EXPECT_THAT(flat_colours(showing(greys(64))), SizeIs(64));
-  EXPECT_THAT(flat_colours(showing(greys(65))), IsEmpty());
+  EXPECT_THAT(flat_colours(showing(patches(64))), SizeIs(64));
+  EXPECT_THAT(flat_colours(showing(patches(65))), IsEmpty());
   EXPECT_THAT(flat_colours({}), IsEmpty());
 }
 
@@ -51,9 +51,15 @@ TEST(FlatColours, LeaveOutWhatFiltersMixed) {
   EXPECT_THAT(flat_colours(showing({{red, 597}, {blue, 200}, {mixed, 5}})), IsEmpty());
 }
 
+TEST(FlatColours, AreNoRamp) {
+  std::vector<std::pair<V3f, int>> ramp;
+  for (int grey = 0; grey < 256; ++grey) ramp.push_back({bytes(grey, grey, grey), 10});
+  EXPECT_THAT(flat_colours(showing(ramp)), IsEmpty());
+}
+
 TEST(FlatColours, ThatDifferByNoiseAreOne) {
   V3f const red = bytes(200, 10, 10), nearly = bytes(198, 12, 10);
-  EXPECT_THAT(flat_colours(showing({{red, 60}, {nearly, 40}})), testing::ElementsAre(red));
+  EXPECT_THAT(flat_colours(showing({{red, 950}, {nearly, 50}})), testing::ElementsAre(red));
 }
 
 /// A cube of which each side has a material of its own.

@@ -36,8 +36,9 @@ TEST(TextScanner, LinesMayEndAsMacintoshsEndedThem) {
     EXPECT_EQ(lines.rest_of_line(), word);
   }
   EXPECT_EQ(lines.line(), 4u);
-  for (std::string_view const text : {"a\rb\nc", "a\r\r\nb\n", "a\r\nb\r\n", "a\r", ""})
+  for (std::string_view const text : {"a\rb\nc", "a\r\r\nb\n", "a\r\nb\r\n", ""})
     EXPECT_EQ(io::line_end(text), '\n') << text;
+  for (std::string_view const text : {"a\rb", "a\rb\r", "a\rb\rc\n"}) EXPECT_EQ(io::line_end(text), '\r') << text;
 }
 
 TEST(TextScanner, CutsCommentsOff) {
