@@ -127,11 +127,16 @@ Blob own(std::vector<std::byte> bytes) {
   return {*owner, owner};
 }
 
-std::string_view text(Blob const& blob) {
-  std::string_view text(reinterpret_cast<char const*>(blob.bytes.data()), blob.bytes.size());
+std::string_view characters(std::span<std::byte const> bytes) {
+  return {reinterpret_cast<char const*>(bytes.data()), bytes.size()};
+}
+
+std::string_view without_mark(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text;
 }
+
+std::string_view text(Blob const& blob) { return without_mark(characters(blob.bytes)); }
 
 Blob map_file(fs::path const& path) {
   if (int const error = injected_error("open")) refuse(path, error);

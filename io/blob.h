@@ -21,7 +21,10 @@ struct Blob {
 };
 
 Blob own(std::vector<std::byte> bytes);
+std::string_view characters(std::span<std::byte const> bytes);
 /// Without the mark that some editors put in front of UTF-8.
+std::string_view without_mark(std::string_view text);
+/// A blob's characters, without that mark.
 std::string_view text(Blob const& blob);
 
 /// A memory map of the file, to be read once from front to back.

@@ -175,7 +175,7 @@ Census census_of(ArchiveEntry const& entry) {
   Resolve const resolve = resolve_in(entry.file.parent_path());
   if (ending == ".ply") return census_of_ply(text(blob), resolve);
   if (ending == ".obj") return census_of_obj(text(blob), resolve);
-  if (ending == ".stl") return census_of_stl({reinterpret_cast<char const*>(blob.bytes.data()), blob.bytes.size()});
+  if (ending == ".stl") return census_of_stl(characters(blob.bytes));
   if (ending == ".off") return census_of_off(text(blob));
   return census_of_gltf(blob, resolve);
 }

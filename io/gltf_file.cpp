@@ -18,10 +18,6 @@ std::uint32_t word_at(std::span<std::byte const> bytes, std::size_t at) {
   return value;
 }
 
-std::string_view as_text(std::span<std::byte const> bytes) {
-  return {reinterpret_cast<char const*>(bytes.data()), bytes.size()};
-}
-
 /// Six bits of base64, also of its URL form; -1 for what is no digit.
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -50,7 +46,7 @@ std::vector<std::byte> base64(std::string_view text) {
 }
 
 GltfJson parse_json(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_mark(text);
   try {
     GltfJson json = GltfJson::parse(text.begin(), text.end());
     if (!json.is_object()) refuse_gltf("its JSON is no object");
@@ -86,8 +82,8 @@ GltfFile::GltfFile(Blob file, Resolve const& resolve, ReadLimits const& limits)
 /// Source: glTF 2.0 specification, section 4.4, "GLB file format".
 void GltfFile::open_container() {
   std::span<std::byte const> const bytes = file_.bytes;
-  if (!as_text(bytes).starts_with("glTF")) {
-    json_ = parse_json(as_text(bytes));
+  if (!characters(bytes).starts_with("glTF")) {
+    json_ = parse_json(characters(bytes));
     return;
   }
   if (bytes.size() < 20) refuse_gltf("the file ends in its GLB header");
@@ -107,7 +103,7 @@ void GltfFile::open_container() {
     std::span<std::byte const> const chunk = bytes.subspan(at + 8, size);
     constexpr std::uint32_t json = 0x4E4F534A, binary = 0x004E4942;
     if (first != (kind == json)) refuse_gltf("the GLB's first chunk and no other must be JSON");
-    if (first) json_ = parse_json(as_text(chunk));
+    if (first) json_ = parse_json(characters(chunk));
     if (kind == binary && binary_chunk_.empty()) binary_chunk_ = chunk;
     at += 8 + size;
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/stand_in.h"
 
+#include "io/blob.h"
 #include "stages/error.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 namespace vitrine::io {
@@ -19,7 +19,7 @@ bool starts(std::string_view text, std::string_view start) {
 }
 
 bool is_web_page(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_mark(text);
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   return starts(text, "<!doctype html") || starts(text, "<html");
 }
@@ -36,7 +36,7 @@ bool is_utf16(std::string_view text) {
 }  // namespace
 
 void refuse_stand_in(std::span<std::byte const> bytes, std::string_view what) {
-  std::string_view const text(reinterpret_cast<char const*>(bytes.data()), bytes.size());
+  std::string_view const text = characters(bytes);
   auto const refuse = [&](std::string const& found, std::string const& remedy) {
     throw Error(ErrorKind::invalid_input, "the " + std::string(what) + " is " + found, remedy);
   };
