@@ -95,13 +95,13 @@ std::uint64_t drop_duplicate_faces(SourceModel& model, std::vector<std::uint32_t
   auto const material = [&](std::size_t f) { return model.face_materials.empty() ? 0 : model.face_materials[f]; };
   auto const at = [&](std::size_t f) { return turned(placed(model.mesh.triangles[f], places)); };
   std::vector<std::uint32_t> const first = first_equal(model.mesh.triangles.size(), [&](std::size_t f) {
-    Triangle t = at(f);
+    Triangle t = placed(model.mesh.triangles[f], places);
     std::sort(t.begin(), t.end());
     return t;
   });
   std::vector<std::uint32_t> kept = first;  // by the first of each
   for (std::uint32_t f = 0; f < first.size(); ++f)
-    if (at(f) == at(first[f]) || material(f) != material(first[f])) kept[first[f]] = f;
+    if (first[f] != f && (at(f) == at(first[f]) || material(f) != material(first[f]))) kept[first[f]] = f;
   return drop_faces(model, [&](std::size_t f) { return kept[first[f]] == f; });
 }
 

@@ -138,7 +138,7 @@ struct Trial {
 /// A recipe that could not be carried out, for the history: nothing is worse.
 Trial failed_trial(Recipe const& recipe);
 
-/// The next thing to try; nothing when the search is over. Ends after five to thirty trials; towards an error
+/// The next thing to try; nothing when the search is over. Ends after five to thirty trials, seldom more; towards an error
 /// questions are asked at two sizes, and landing may take nine more.
 std::optional<Recipe> next_trial(Subject const& subject, FitOptions const& options, std::span<Trial const> history);
 
