@@ -24,7 +24,7 @@ struct Makings {
     };
     auto const but_for_coding = [](Recipe r) {
       r.map_quality = r.ceiling = 0;
-      r.avif = false;
+      r.avif = r.full_chroma = r.polished = false;
       return r;
     };
     bool const same_shape = shape(recipe) == shape(other);

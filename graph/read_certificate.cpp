@@ -79,6 +79,8 @@ Recipe read_recipe(json const& in) {
   recipe.texture = in.value("texture", recipe.texture);
   if (in.contains("unfolding")) recipe.unfolding = named<Unfolding>(in.at("unfolding"));
   recipe.avif = in.value("avif", recipe.avif);
+  recipe.full_chroma = in.value("fullChroma", recipe.full_chroma);
+  recipe.polished = in.value("polished", recipe.polished);
   return recipe;
 }
 

@@ -27,7 +27,7 @@ VITRINE_JSON_MEMBERS(Stamp, bytes, inode, modified, changed)
 
 namespace vitrine {
 VITRINE_JSON_MEMBERS(Recipe, triangles, shading, painting, colour_weight, fitted, position_bits, normal_bits,
-                     colour_bits, smoothing, unfolding, texture, map_quality, ceiling, avif)
+                     colour_bits, smoothing, unfolding, texture, map_quality, ceiling, avif, full_chroma, polished)
 VITRINE_JSON_MEMBERS(Trial, recipe, bytes, map_bytes, map_quality, error, score)
 VITRINE_JSON_MEMBERS(BakeStatistics, texels, samples, misses)
 VITRINE_JSON_MEMBERS(AngleError, p50, p99)

@@ -21,6 +21,8 @@ ModelOptions with_recipe(ModelOptions options, Recipe const& recipe) {
   options.bake.vertex_normals = has_normals(recipe);
   if (recipe.map_quality > 0) options.encode.colour_quality = recipe.map_quality;
   if (recipe.avif) options.encode.colour_codec = MapCodec::avif;
+  options.encode.full_chroma = recipe.full_chroma;
+  options.encode.draft = !recipe.polished;
   return options;
 }
 
@@ -43,19 +45,18 @@ bool Study::advance() {
   recipe_ = *next;
   makings_ = best_makings_.shared_with(recipe_);
   trial_options_ = with_recipe(options_, recipe_);
-  if (int const quality = first_quality(); is_filled(recipe_) && quality > 0)
-    trial_options_.encode.colour_quality = quality;
+  if (is_filled(recipe_)) trial_options_.encode.colour_quality = first_quality();
   return true;
 }
 
-/// Where the quality of the recipe's map is looked for first, by the last map in its coding, or else in another; 0
-/// where there is none.
+/// Where the quality of the recipe's map is looked for first, by the best map in its coding, or else in another.
 int Study::first_quality() const {
   Trial const* like = nullptr;
   for (Trial const& trial : history_)
-    if (trial.map_quality > 0 && (!like || trial.recipe.avif == recipe_.avif || like->recipe.avif != recipe_.avif))
+    if (trial.map_quality > 0 && (!like || std::pair(trial.recipe.avif != recipe_.avif, trial.score) <
+                                               std::pair(like->recipe.avif != recipe_.avif, like->score)))
       like = &trial;
-  return like ? likely_quality(recipe_, *like) : 0;
+  return like ? likely_quality(recipe_, *like) : kUsualQuality;
 }
 
 bool Study::wants_atlas() const { return !searches(options_) || recipe_.painting == Painting::map; }

@@ -16,6 +16,9 @@ ImageSize avif_size(std::span<std::byte const> bytes);
 /// read.
 Image decode_avif(std::span<std::byte const> bytes, ColourSpace space, ReadLimits const& limits);
 
+/// 0 (lossless) to 63, of a quality from 0 to 100.
+int avif_quantiser(int quality);
+
 /// 8 bits, full range, BT.601 as JPEG has it; grey as one plane; alpha without loss. The conversions are libavif's own:
 /// those of libyuv round differently on different processors.
 std::vector<std::byte> encode_avif(Image const& image, ImageQuality const& quality);

@@ -28,7 +28,8 @@ namespace {
 
 ImageQuality wanted(EncodeOptions const& options) {
   ImageCodec const usual = common_maps(options.profile) ? ImageCodec::jpeg : ImageCodec::webp;
-  return {codec_asked_for(options.colour_codec).value_or(usual), options.colour_quality};
+  return {codec_asked_for(options.colour_codec).value_or(usual), options.colour_quality, options.full_chroma,
+          options.draft ? Effort::thorough : Effort::utmost};
 }
 
 /// Of the logarithm of the bytes with the quality, as it was for atlases of scans.
@@ -37,30 +38,38 @@ double usual_rise(ImageQuality const& quality) {
   return quality.codec == ImageCodec::avif ? 2 * webp : webp;
 }
 
-/// The next quality is where the line through the last two, in the logarithm of the bytes, meets the room.
-CodedColour largest_within(std::size_t room, Image const& map, EncodeOptions options) {
-  constexpr int kLowest = 5, kHighest = 95;
-  constexpr double kAim = 0.9875, kNear = 0.975;         // of the room
+/// What the search for a quality knows.
+struct Point {
+  int quality;
+  double filled;  ///< logarithm of the share of the room
+};
+
+/// Where the line through the last two points, in the logarithm of the bytes, meets what is aimed at.
+int next_quality(Point const& here, std::optional<Point> const& before, double usual, double aim) {
   constexpr double kLeastRise = 0.005, kMostRise = 0.1;  // of the logarithm
-  struct Point {
-    int quality;
-    double filled;  ///< logarithm of the share of the room
-  };
+  double const rise = before ? (here.filled - before->filled) / (here.quality - before->quality) : usual;
+  return here.quality + int(std::lround((std::log(aim) - here.filled) / std::clamp(rise, kLeastRise, kMostRise)));
+}
+
+CodedColour largest_within(std::size_t room, Image const& map, ImageQuality quality) {
+  constexpr int kLowest = 5, kHighest = 95;
+  double const near = quality.effort == Effort::utmost ? 0.975 : 0.94, aim = (near + 1) / 2;  // of the room
   std::optional<Point> before;
-  std::optional<CodedColour> best;
+  CodedColour best;
+  bool best_fits = false;
   for (int low = kLowest, high = kHighest;;) {
-    options.colour_quality = std::clamp(options.colour_quality, low, high);
-    CodedColour coded{encode_image(map, wanted(options)), options.colour_quality};
+    quality.quality = std::clamp(quality.quality, low, high);
+    CodedColour coded{encode_image(map, quality), quality.quality};
     Point const here{coded.quality,
                      std::log(double(coded.image.bytes.size()) / double(std::max<std::size_t>(room, 1)))};
     bool const fits = here.filled <= 0;
-    (fits ? low : high) = here.quality + (fits ? 1 : -1);
-    if (fits || here.quality == kLowest) best = std::move(coded);
-    if (low > high || (fits && here.filled >= std::log(kNear))) return *std::move(best);
-    double const rise =
-        before ? (here.filled - before->filled) / (here.quality - before->quality) : usual_rise(wanted(options));
-    options.colour_quality +=
-        int(std::lround((std::log(kAim) - here.filled) / std::clamp(rise, kLeastRise, kMostRise)));
+    int& bound = fits ? low : high;
+    for (bound = here.quality; low <= high && is_same_coding(quality.codec, bound, here.quality);)
+      bound += fits ? 1 : -1;
+    if (fits || !best_fits) best = std::move(coded);
+    best_fits |= fits;
+    if (low > high || (fits && here.filled >= std::log(near))) return best;
+    quality.quality = next_quality(here, before, usual_rise(quality), aim);
     before = here;
   }
 }
@@ -74,7 +83,7 @@ CodedColour code_colour(Image const& map, EncodeOptions const& options) {
 }
 
 CodedColour code_colour_within(std::size_t room, Image const& map, EncodeOptions const& options) {
-  CodedColour coded = largest_within(room, map, options);
+  CodedColour coded = largest_within(room, map, wanted(options));
   if (!codec_asked_for(options.colour_codec)) coded.image = nearer_coding(map, std::move(coded.image));
   return coded;
 }

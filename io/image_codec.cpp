@@ -162,7 +162,7 @@ Image colour_channels(Image const& image) {
 }
 
 std::vector<std::byte> encode_webp(Image const& image, ImageQuality const& quality) {
-  bool const thorough = quality.effort == Effort::thorough;
+  bool const thorough = quality.effort != Effort::usual;
   WebPConfig config;
   require(WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, static_cast<float>(quality.quality)),
           "libwebp refuses its own preset");
@@ -256,6 +256,11 @@ Image decode_image(std::span<std::byte const> bytes, ColourSpace space, ReadLimi
   Image image = image_of({spec.width, spec.height, kept_channels(spec)});
   read_texels(*reader->input, image);
   return image;
+}
+
+bool is_same_coding(ImageCodec codec, int quality, int other) {
+  if (codec == ImageCodec::png) return true;
+  return codec == ImageCodec::avif ? avif_quantiser(quality) == avif_quantiser(other) : quality == other;
 }
 
 EncodedImage encode_image(Image const& image, ImageQuality const& quality) {

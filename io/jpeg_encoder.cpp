@@ -47,7 +47,7 @@ void configure(jpeg_compress_struct& state, Image const& image, ImageQuality con
   jpeg_set_quality(&state, quality.quality, TRUE);
   state.optimize_coding = TRUE;
   if (quality.full_chroma) state.comp_info[0].h_samp_factor = state.comp_info[0].v_samp_factor = 1;
-  if (quality.effort == Effort::thorough) jpeg_simple_progression(&state);
+  if (quality.effort != Effort::usual) jpeg_simple_progression(&state);
 }
 
 bool compress(Compressor& compressor, Image const& image, ImageQuality const& quality) {

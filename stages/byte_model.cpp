@@ -31,7 +31,17 @@ double expected_map_bytes(Recipe const& recipe) {
 
 /// In AVIF of what takes as many bytes in WebP, or the other way about: as it was for atlases of scans.
 int other_quality(int quality, bool avif) {
-  return avif ? std::max(quality, 24 + quality / 2) : std::min(quality, std::max(0, 2 * (quality - 24)));
+  return int(std::clamp(avif ? 26 + 0.7 * quality : (quality - 26) / 0.7, double(kWorstQuality), double(kBestQuality)));
+}
+
+/// Of the logarithm of a map's bytes with its quality.
+double rise(int quality, bool avif) { return (avif ? 2 : 1) * (0.05 - 0.009 * std::log(quality)); }
+
+/// Where the logarithm of the bytes is so much higher.
+int raised(int quality, double by, bool avif) {
+  while (by > rise(quality, avif) / 2 && quality < kBestQuality) by -= rise(quality++, avif);
+  while (by < -rise(quality, avif) / 2 && quality > kWorstQuality) by += rise(quality--, avif);
+  return quality;
 }
 
 }  // namespace
@@ -39,13 +49,15 @@ int other_quality(int quality, bool avif) {
 double expected_bytes_per_texel(int map_quality) { return (kBitsAtNone + kBitsPerQuality * map_quality) / 8; }
 
 int likely_quality(Recipe const& recipe, Trial const& like) {
+  constexpr double kTexelPower = 0.5;  // with which bytes rise, at one quality
+  constexpr int kFullChroma = -3;
   double const geometry = bytes_per_triangle(like) * relative_size(recipe, like.recipe) * recipe.triangles;
   double const room = std::max(1.0, recipe.ceiling - kHeaderBytes - geometry);
-  double const texels = double(recipe.texture) / like.recipe.texture;
-  double const more = room / double(std::max<std::size_t>(like.map_bytes, 1)) / (texels * texels);
-  int const quality = like.recipe.avif == recipe.avif ? like.map_quality : other_quality(like.map_quality, recipe.avif);
-  double const bits = 8 * expected_bytes_per_texel(quality) * (recipe.avif ? std::sqrt(more) : more);
-  return int(std::clamp((bits - kBitsAtNone) / kBitsPerQuality, 5.0, 95.0));
+  double const texels = 2 * std::log(double(recipe.texture) / like.recipe.texture);
+  double const more = std::log(room / double(std::max<std::size_t>(like.map_bytes, 1))) - kTexelPower * texels;
+  int quality = like.recipe.avif == recipe.avif ? like.map_quality : other_quality(like.map_quality, recipe.avif);
+  quality += kFullChroma * (int(recipe.full_chroma) - int(like.recipe.full_chroma));
+  return raised(std::clamp(quality, kWorstQuality, kBestQuality), more, recipe.avif);
 }
 
 double bytes_per_triangle(Trial const& trial) {

@@ -10,10 +10,13 @@ namespace vitrine {
 
 constexpr double kHeaderBytes = 900;  ///< of a file without geometry and maps
 
+constexpr int kUsualQuality = 50;                    ///< of a map whose bytes are not known yet
+constexpr int kWorstQuality = 5, kBestQuality = 95;  ///< of a map that fills its room
+
 double expected_bytes_per_texel(int map_quality);
 
-/// With which the recipe's map will fill its ceiling, judged by the map of a trial; better by one in the same coding,
-/// of which AVIF's bytes rise with the square of WebP's. Between 5 and 95.
+/// With which the recipe's map will fill its ceiling, judged by the map of a trial; better by one in the same coding.
+/// Between 5 and 95.
 int likely_quality(Recipe const& recipe, Trial const& like);
 
 /// Of a trial, as far as its few triangles tell.

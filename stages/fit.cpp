@@ -12,8 +12,6 @@
 namespace vitrine {
 namespace {
 
-constexpr int kUsualQuality = 50;  ///< of a map that does not fill its ceiling, to begin with
-constexpr int kPoorQuality = 12;   ///< of a map: another coding may help
 /// Of the cost's logarithm. No texture that was so much worse at first, or with both shadings, became the best one.
 constexpr double kOutOfReach = 0.85, kWithinReach = 0.4;
 /// The same: what is asked after the painting gains so much more where there is an atlas than for colours per vertex.
@@ -23,6 +21,7 @@ constexpr int kExactBits = 16;                 ///< the same, where all triangle
 constexpr int kLeastNormalBits = 4, kMostNormalBits = 10, kMostColourBits = 8;
 constexpr int kFineBits = 13;     ///< of a place, where there is room for all triangles
 constexpr double kClearly = 0.1;  ///< of the cost's logarithm: what wins or loses by more is not asked again
+constexpr double kClose = 0.05;   ///< the same, of what wins by something else
 
 class Search : private Inquiry {
  public:
@@ -60,7 +59,8 @@ class Search : private Inquiry {
                                                          {Choice::refit, &Search::choose_fit},
                                                          {Choice::bits, &Search::choose_normal_bits},
                                                          {Choice::colours, &Search::choose_colours},
-                                                         {Choice::avif, &Search::choose_coding}};
+                                                         {Choice::avif, &Search::choose_coding},
+                                                         {Choice::none, &Search::polish}};
     for (auto const& [choice, question] : questions)
       if (!is_left_out(choice) && (this->*question)() == Answer::none) return Answer::none;
     return Answer::worse;
@@ -88,6 +88,7 @@ class Search : private Inquiry {
 
   /// Each painting is compared as it is with the answers that decide most about it.
   Answer choose_painting() {
+    if (subject_.needs_map && choose_map() == Answer::none) return Answer::none;
     for (Painting painting : {Painting::map, Painting::own})
       if (offers(painting) && try_texture(painting) == Answer::none) return Answer::none;
     return Answer::worse;
@@ -104,7 +105,7 @@ class Search : private Inquiry {
     Recipe recipe = best();
     recipe.painting = painting;
     recipe.colour_weight = 0;
-    recipe.avif = false;
+    recipe.avif = recipe.full_chroma = recipe.polished = false;
     recipe.texture = first_texture();
     bool const smooth_first = painting == Painting::own && !is_left_out(Choice::normals);
     bool const smooth_won = !smooth_first && has_normals(best()) && is_whole(best_trial());
@@ -124,9 +125,22 @@ class Search : private Inquiry {
     return Answer::worse;
   }
 
+  /// AVIF mostly wins, and at its best has so many more texels than a first map whose room is not too small already.
   Answer choose_map() {
-    for (Question question : {&Search::choose_poor_coding, &Search::choose_texture, &Search::choose_poor_coding})
-      if ((this->*question)() == Answer::none) return Answer::none;
+    bool const has_room = best_trial().map_quality > kWorstQuality;
+    Change const in_avif = [](Recipe& r) { r.avif = true; };
+    Change const finer_in_avif = [](Recipe& r) { r.avif = true, r.texture = r.texture * 7 / 4; };
+    bool const may_be_avif = subject_.avif && !is_left_out(Choice::avif);
+    if (may_be_avif && ask_with(has_room ? finer_in_avif : in_avif) == Answer::none) return Answer::none;
+    if (choose_chroma() == Answer::none) return Answer::none;
+    return choose_texture();
+  }
+
+  /// Structure is judged by luminance: where the score is close, full chroma has the lower error.
+  Answer choose_chroma() {
+    if (!best().avif) return Answer::worse;
+    if (ask_with([](Recipe& r) { r.full_chroma = true; }) == Answer::none) return Answer::none;
+    take_better(take_last(), kClose);
     return Answer::worse;
   }
 
@@ -164,16 +178,20 @@ class Search : private Inquiry {
         [](Recipe& r) { r.triangles -= r.triangles / 5; });
   }
 
-  /// AVIF has room for more texels where it is the better one.
+  /// Where AVIF was not the better one with more texels, it may be with as many.
   Answer choose_coding() {
-    if (!is_textured(best()) || !subject_.avif) return Answer::worse;
+    if (!is_textured(best()) || best().avif || !subject_.avif) return Answer::worse;
     Answer answer = ask_with([](Recipe& r) { r.avif = true; });
     for (int step = 0; step < kSteps && answer == Answer::better; ++step) answer = ask_with(more_texels);
     return answer;
   }
 
-  Answer choose_poor_coding() {
-    return best_trial().map_quality < kPoorQuality && !is_left_out(Choice::avif) ? choose_coding() : Answer::worse;
+  /// The map as near to its room, and to itself, as its coding can bring it.
+  Answer polish() {
+    if (!is_filled(best())) return Answer::worse;
+    Recipe recipe = best();
+    recipe.polished = true;
+    return ask_as_it_is(recipe);
   }
 
   Answer choose_quality() {

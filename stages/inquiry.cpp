@@ -122,8 +122,9 @@ double Inquiry::cost(Trial const& trial) const {
   if (std::isinf(trial.error)) return trial.error;
   if (subject_.fixed_triangles > 0) return size_cost(trial);
   if (is_filled(trial.recipe)) {
-    double const excess = std::max(1.0, double(trial.bytes) / trial.recipe.ceiling);
-    return std::log(std::max(trial.score, 1e-9)) + kExcessPower * std::log(excess);
+    double const filled = std::log(double(trial.bytes) / trial.recipe.ceiling);
+    double const power = filled > 0 ? kExcessPower : trial.map_quality < kBestQuality ? kErrorPower : 0;
+    return std::log(std::max(trial.score, 1e-9)) + power * filled;
   }
   double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / bytes_per_triangle(trial);
   double const triangles = std::clamp(allowed, 1.0, std::max(1.0, double(most())));

@@ -243,6 +243,30 @@ TEST(Fit, AsksForAnotherCodingBeforeAMapOfPoorQualityLoses) {
   EXPECT_EQ(winner(painted, {}, noise).recipe.painting, Painting::map);
 }
 
+constexpr Subject kInAvif{.triangles = 100'000, .coloured = true, .avif = true};
+
+TEST(Fit, FullChromaIsTakenUnlessItScoresClearlyWorse) {
+  for (double score : {0.9, 1.03, 1.2}) {
+    World world;
+    world.penalty = [=](Recipe const& r) {
+      return (r.painting == Painting::map ? 0.1 : 1) * (r.avif ? 0.5 : 1) * (r.full_chroma ? score : 1) *
+             (r.polished ? 0.9 : 1);
+    };
+    EXPECT_EQ(winner(kInAvif, {}, world).recipe.full_chroma, score < 1.1) << score;
+  }
+}
+
+TEST(Fit, TheBestMapIsPolishedOnceAtTheEnd) {
+  World world;
+  world.penalty = [](Recipe const& r) {
+    return (r.painting == Painting::map ? 0.1 : 1) * (r.avif ? 0.5 : 1) * (r.polished ? 0.9 : 1);
+  };
+  std::vector<Trial> const history = search(kInAvif, {}, world);
+  EXPECT_TRUE(history.back().recipe.polished);
+  EXPECT_EQ(std::ranges::count(history, true, [](Trial const& t) { return t.recipe.polished; }), 1);
+  EXPECT_EQ(best_trial(kInAvif, {}, history), history.size() - 1);
+}
+
 TEST(Fit, KeepsWhatCutsOutInAMap) {
   Subject const leaf{.triangles = 50'000, .coloured = true, .needs_map = true};
   for (Trial const& trial : search(leaf, {.max_kb = 8}, {})) EXPECT_EQ(trial.recipe.painting, Painting::map);

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 using namespace vitrine;
 using namespace vitrine::io;
@@ -22,6 +24,11 @@ Image waves(int width, int height, int channels) {
       for (int c = 0; c < channels; ++c)
         image.texels.push_back(static_cast<std::uint8_t>(128 + 100 * std::sin(0.05 * x + 0.03 * y + c)));
   return image;
+}
+
+double square_error(Image const& a, Image const& b) {
+  auto const square = [](double x, double y) { return (x - y) * (x - y); };
+  return std::transform_reduce(a.texels.begin(), a.texels.end(), b.texels.begin(), 0.0, std::plus(), square);
 }
 
 double worst_difference(Image const& a, Image const& b) {
@@ -223,6 +230,26 @@ TEST(ImageCodec, JpegIsBaselineWithTheUsualEffortAndProgressiveWithMore) {
   Image const image = waves(67, 45, 3);
   EXPECT_TRUE(has_marker(encode_image(image, {ImageCodec::jpeg, 90, true, Effort::usual}).bytes, baseline));
   EXPECT_TRUE(has_marker(encode_image(image, {ImageCodec::jpeg, 90, true, Effort::thorough}).bytes, progressive));
+}
+
+TEST(ImageCodec, AvifIsNearerInNoMoreBytesWithMoreEffort) {
+  Image const image = waves(200, 160, 3);
+  EncodedImage const draft = encode_image(image, {ImageCodec::avif, 40, true, Effort::thorough}),
+                     last = encode_image(image, {ImageCodec::avif, 40, true, Effort::utmost});
+  EXPECT_LT(last.bytes.size(), draft.bytes.size());
+  auto const error = [&](EncodedImage const& coded) {
+    return square_error(image, decode_image(coded.bytes, image.space));
+  };
+  EXPECT_LT(error(last), 1.02 * error(draft));
+}
+
+TEST(ImageCodec, QualitiesOfOneCodingGiveTheSameBytes) {
+  Image const image = waves(67, 45, 3);
+  for (ImageCodec codec : {ImageCodec::jpeg, ImageCodec::webp, ImageCodec::avif, ImageCodec::png})
+    for (int quality = 20; quality < 26; ++quality)
+      EXPECT_EQ(is_same_coding(codec, quality, quality + 1),
+                encode_image(image, {codec, quality}).bytes == encode_image(image, {codec, quality + 1}).bytes)
+          << int(codec) << " " << quality;
 }
 
 TEST(ImageCodec, AvifKeepsAlphaWithoutLoss) {
