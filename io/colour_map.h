@@ -20,7 +20,8 @@ std::optional<ImageCodec> codec_asked_for(MapCodec codec);
 /// used as it is.
 CodedColour code_colour(Image const& map, EncodeOptions const& options);
 
-/// At the highest quality, 5 to 95, whose bytes fit into `room`, to one part in forty; at the lowest where none does.
+/// At the highest quality, 5 to 95, whose bytes fit into `room`, to one part in forty (a draft: in sixteen); at the
+/// lowest where none does.
 /// The search begins at the options' own quality.
 CodedColour code_colour_within(std::size_t room, Image const& map, EncodeOptions const& options);
 

@@ -156,7 +156,9 @@ Recipe Inquiry::of_extent(Trial const& like, int wanted) const {
     return recipe;
   }
   double const growth = double(wanted) / recipe.ceiling;
-  double const room = (wanted * (1 - kMapShare) - kHeaderBytes) / bytes_per_triangle(like);
+  double const beside = kHeaderBytes + bytes_per_triangle(like) * recipe.triangles;
+  double const share = std::clamp((1 - beside / recipe.ceiling) / 2, 0.0, kMapShare);
+  double const room = (wanted * (1 - share) - kHeaderBytes) / bytes_per_triangle(like);
   double const triangles = is_whole(like) ? room : recipe.triangles * growth;
   recipe.triangles = bounded(int(std::clamp(triangles, 0.0, double(most()))));
   recipe.ceiling = wanted;

@@ -70,7 +70,7 @@ class Inquiry {
   int beside(double map_bytes, Recipe const& recipe) const;
   int bounded(int triangles) const;
   double bytes_for_error(Trial const& here, Trial const* before) const;
-  /// Made larger or smaller; all triangles stay as long as they leave the map its share.
+  /// Made larger or smaller; all triangles stay as long as they leave the map half of its share.
   Recipe of_extent(Trial const& like, int wanted) const;
   bool is_like(Trial const& trial) const;
   /// With as many triangles, nearly.
