@@ -65,8 +65,9 @@ json recipe_json(Recipe const& r, int map_quality) {
   if (has_normals(r)) out.update({{"normalBits", r.normal_bits}, {"fitted", r.fitted}});
   if (r.painting == Painting::vertices) out.update({{"colourBits", r.colour_bits}, {"smoothing", r.smoothing}});
   if (r.painting == Painting::map) out.update({{"unfolding", shown(r.unfolding)}});
-  if (is_textured(r)) out.update({{"texture", r.texture}, {"mapQuality", map_quality}, {"avif", r.avif}});
-  if (r.avif) out.update({{"fullChroma", r.full_chroma}, {"polished", r.polished}});
+  if (is_textured(r))
+    out.update({{"texture", r.texture}, {"mapQuality", map_quality}, {"avif", r.avif}, {"polished", r.polished}});
+  if (r.avif) out.update({{"fullChroma", r.full_chroma}});
   return out;
 }
 

@@ -181,7 +181,8 @@ Subject subject_of(Original const& original, Levels const& levels, ModelOptions 
   bool const occluded = options.bake.occlusion != Occlusion::none && !has_colour(*model.model);
   if (double const limit = deviation_limit(original, options); limit > 0 && levels.plain)
     subject.fixed_triangles = fewest_within(limit, *levels.plain, original.samples);
-  subject.avif = options.encode.colour_codec == MapCodec::automatic && !common_maps(options.encode.profile);
+  MapCodec const codec = options.encode.colour_codec;
+  subject.avif = codec == MapCodec::avif || (codec == MapCodec::automatic && !common_maps(options.encode.profile));
   subject.needs_map = model.surface.common_alpha() != AlphaMode::opaque || occluded;
   return subject;
 }

@@ -45,18 +45,20 @@ bool Study::advance() {
   recipe_ = *next;
   makings_ = best_makings_.shared_with(recipe_);
   trial_options_ = with_recipe(options_, recipe_);
-  if (is_filled(recipe_)) trial_options_.encode.colour_quality = first_quality();
+  if (int const quality = first_quality(); is_filled(recipe_) && quality > 0)
+    trial_options_.encode.colour_quality = quality;
   return true;
 }
 
-/// Where the quality of the recipe's map is looked for first, by the best map in its coding, or else in another.
+/// Where the quality of the recipe's map is looked for first, by the best map in its coding, or else in another; 0
+/// where there is none.
 int Study::first_quality() const {
   Trial const* like = nullptr;
   for (Trial const& trial : history_)
     if (trial.map_quality > 0 && (!like || std::pair(trial.recipe.avif != recipe_.avif, trial.score) <
                                                std::pair(like->recipe.avif != recipe_.avif, like->score)))
       like = &trial;
-  return like ? likely_quality(recipe_, *like) : kUsualQuality;
+  return like ? likely_quality(recipe_, *like) : 0;
 }
 
 bool Study::wants_atlas() const { return !searches(options_) || recipe_.painting == Painting::map; }

@@ -83,8 +83,10 @@ void require(avifResult result, Image const& image) {
 
 /// Copies within the image, as of letters, are not looked for: that takes a seventh of the time and finds nothing in
 /// maps.
-void set_effort(avifEncoder& encoder, Effort effort) {
-  encoder.speed = effort == Effort::usual ? 8 : effort == Effort::thorough ? 6 : 5;
+void set_effort(avifEncoder& encoder, Image const& image, Effort effort) {
+  constexpr std::int64_t kMany = 2048 * 2048;  // texels: more of them would take minutes at speed 5
+  bool const many = std::int64_t(image.width) * image.height > kMany;
+  encoder.speed = effort == Effort::usual ? 8 : effort == Effort::thorough || many ? 6 : 5;
   if (effort == Effort::usual) return;
   avifEncoderSetCodecSpecificOption(&encoder, "enable-intrabc", "0");
   if (effort == Effort::utmost) return;
@@ -158,7 +160,7 @@ std::vector<std::byte> encode_avif(Image const& image, ImageQuality const& quali
 
   encoder->codecChoice = AVIF_CODEC_CHOICE_AOM;
   encoder->maxThreads = 1;
-  set_effort(*encoder, quality.effort);
+  set_effort(*encoder, image, quality.effort);
   set_quality(*encoder, quality);
   avifRWData output = AVIF_DATA_EMPTY;
   avifResult const result = avifEncoderWrite(encoder.get(), coded.get(), &output);

@@ -53,6 +53,7 @@ int next_quality(Point const& here, std::optional<Point> const& before, double u
 
 CodedColour largest_within(std::size_t room, Image const& map, ImageQuality quality) {
   constexpr int kLowest = 5, kHighest = 95;
+  if (quality.codec == ImageCodec::png) return {encode_image(map, quality), kHighest};
   double const near = quality.effort == Effort::utmost ? 0.975 : 0.94, aim = (near + 1) / 2;  // of the room
   std::optional<Point> before;
   CodedColour best;

@@ -157,7 +157,7 @@ std::size_t bytes_beside_colour(EncodedThumbnail const& without) {
 EncodedImage encode_normal(Image const& map, EncodeOptions const& options) {
   ImageCodec const usual = common_maps(options.profile) ? ImageCodec::png : ImageCodec::webp;
   if (std::optional<ImageCodec> const codec = codec_asked_for(options.normal_codec))
-    return encode_image(map, {*codec, options.normal_quality, true});
+    return encode_image(map, {*codec, options.normal_quality, true, Effort::utmost});
   return encode_map(map, {usual, options.normal_quality});
 }
 

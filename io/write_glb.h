@@ -50,7 +50,7 @@ struct EncodeOptions {
   bool x3dom = false;
   // What the search decides; no users' options:
   bool full_chroma = false;  ///< AVIF: 4:4:4 instead of 4:2:0
-  bool draft = false;        ///< not the last of many: AVIF takes a fifth of the time and is 7 % farther off; 94 % of the room will do
+  bool draft = false;        ///< one of many: AVIF takes a fifth of the time, and the map 94 % of its room
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

@@ -14,8 +14,7 @@ namespace {
 
 /// Of the cost's logarithm. No texture that was so much worse at first, or with both shadings, became the best one.
 constexpr double kOutOfReach = 0.85, kWithinReach = 0.4;
-/// The same: what is asked after the painting gains so much more where there is an atlas than for colours per vertex.
-constexpr double kAtlasPromise = 0.15;
+constexpr int kUsualQuality = 50;              ///< of a map that does not fill its ceiling, to begin with
 constexpr int kLeastBits = 8, kMostBits = 14;  ///< of a place
 constexpr int kExactBits = 16;                 ///< the same, where all triangles have room
 constexpr int kLeastNormalBits = 4, kMostNormalBits = 10, kMostColourBits = 8;
@@ -121,7 +120,7 @@ class Search : private Inquiry {
       normals_lost_[std::size_t(painting)] = (smooth_first ? first - last_cost() : last_cost() - first) > kClearly;
     }
     if (cost(best_trial()) < cost(trial(rival)) + kWithinReach && choose_map() == Answer::none) return Answer::none;
-    take_better(rival, painting == Painting::map ? kAtlasPromise : 0);
+    take_better(rival, 0);
     return Answer::worse;
   }
 
@@ -183,15 +182,17 @@ class Search : private Inquiry {
     if (!is_textured(best()) || best().avif || !subject_.avif) return Answer::worse;
     Answer answer = ask_with([](Recipe& r) { r.avif = true; });
     for (int step = 0; step < kSteps && answer == Answer::better; ++step) answer = ask_with(more_texels);
-    return answer;
+    return answer == Answer::none ? answer : choose_chroma();
   }
 
   /// The map as near to its room, and to itself, as its coding can bring it.
   Answer polish() {
-    if (!is_filled(best())) return Answer::worse;
+    if (!is_textured(best()) || best_trial().map_quality == 0) return Answer::worse;
     Recipe recipe = best();
     recipe.polished = true;
-    return ask_as_it_is(recipe);
+    if (ask_as_it_is(recipe) == Answer::none) return Answer::none;
+    take_better(take_last(), kClose);
+    return Answer::worse;
   }
 
   Answer choose_quality() {

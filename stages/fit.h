@@ -107,8 +107,8 @@ struct Recipe {
   int map_quality = 0;                         ///< of 100; 0: the highest that `ceiling` allows
   int ceiling = 0;                             ///< of a file with a map, in bytes
   bool avif = false;                           ///< the map's coding, else WebP or JPEG
-  bool full_chroma = false;                    ///< of AVIF
-  bool polished = false;                       ///< AVIF takes its time, as one trial of a model may
+  bool full_chroma = false;                    ///< of a map in AVIF
+  bool polished = false;                       ///< the last trials: the coding takes its time
   bool operator==(Recipe const&) const = default;
 };
 

@@ -123,7 +123,8 @@ double Inquiry::cost(Trial const& trial) const {
   if (subject_.fixed_triangles > 0) return size_cost(trial);
   if (is_filled(trial.recipe)) {
     double const filled = std::log(double(trial.bytes) / trial.recipe.ceiling);
-    double const power = filled > 0 ? kExcessPower : trial.map_quality < kBestQuality ? kErrorPower : 0;
+    bool const could_be_finer = trial.map_quality > 0 && trial.map_quality < kBestQuality;
+    double const power = filled > 0 ? kExcessPower : could_be_finer ? kErrorPower : 0;
     return std::log(std::max(trial.score, 1e-9)) + power * filled;
   }
   double const allowed = (aim() - kHeaderBytes - double(trial.map_bytes)) / bytes_per_triangle(trial);
@@ -156,10 +157,10 @@ Recipe Inquiry::of_extent(Trial const& like, int wanted) const {
     return recipe;
   }
   double const growth = double(wanted) / recipe.ceiling;
-  double const beside = kHeaderBytes + bytes_per_triangle(like) * recipe.triangles;
-  double const share = std::clamp((1 - beside / recipe.ceiling) / 2, 0.0, kMapShare);
+  double const geometry = kHeaderBytes + bytes_per_triangle(like) * recipe.triangles;
+  double const share = std::clamp((1 - geometry / recipe.ceiling) / 2, 0.0, kMapShare);
   double const room = (wanted * (1 - share) - kHeaderBytes) / bytes_per_triangle(like);
-  double const triangles = is_whole(like) ? room : recipe.triangles * growth;
+  double const triangles = !is_whole(like) ? recipe.triangles * growth : growth >= 1 ? recipe.triangles : room;
   recipe.triangles = bounded(int(std::clamp(triangles, 0.0, double(most()))));
   recipe.ceiling = wanted;
   recipe.texture = std::clamp(int(recipe.texture * std::sqrt(growth)), kSmallestTexture, largest_texture(recipe));

@@ -43,10 +43,10 @@ class Inquiry {
   Answer answer_to(Recipe recipe);
   /// The last trial counts as the best one, whatever it cost. Returns the one that did.
   std::size_t take_last() { return std::exchange(best_, answered_ - 1); }
-  /// That trial is the best one again where its cost is lower by more than what is promised for the one that counts as
+  /// That trial is the best one again where its cost is lower by more than `margin` than that of the one that counts as
   /// best.
-  void take_better(std::size_t trial, double promise) {
-    if (cost(history_[trial]) < cost(history_[best_]) - promise) best_ = trial;
+  void take_better(std::size_t trial, double margin) {
+    if (cost(history_[trial]) < cost(history_[best_]) - margin) best_ = trial;
   }
   /// One way as long as that pays, else the other way.
   Answer walk(Answer (Inquiry::*question)(Recipe), Change one, Change other, int steps = kSteps);

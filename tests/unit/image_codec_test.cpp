@@ -232,7 +232,7 @@ TEST(ImageCodec, JpegIsBaselineWithTheUsualEffortAndProgressiveWithMore) {
   EXPECT_TRUE(has_marker(encode_image(image, {ImageCodec::jpeg, 90, true, Effort::thorough}).bytes, progressive));
 }
 
-TEST(ImageCodec, AvifIsNearerInNoMoreBytesWithMoreEffort) {
+TEST(ImageCodec, AvifIsAsNearInFewerBytesWithMoreEffort) {
   Image const image = waves(200, 160, 3);
   EncodedImage const draft = encode_image(image, {ImageCodec::avif, 40, true, Effort::thorough}),
                      last = encode_image(image, {ImageCodec::avif, 40, true, Effort::utmost});

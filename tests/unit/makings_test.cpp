@@ -21,7 +21,7 @@ constexpr Recipe kMap{.triangles = 3000, .painting = Painting::map, .texture = 2
 
 TEST(Makings, OfAnotherCodingAreAllOfThem) {
   Recipe other = kMap;
-  other.avif = true, other.ceiling = 8000;
+  other.avif = other.full_chroma = other.polished = true, other.ceiling = 8000;
   Makings const shared = made(kMap).shared_with(other);
   EXPECT_EQ(shared.recipe, other);
   EXPECT_EQ(shared.made.charts, 7u);

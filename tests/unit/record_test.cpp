@@ -24,7 +24,9 @@ Recipe recipe() {
           .texture = 370,
           .map_quality = 0,
           .ceiling = 16'000,
-          .avif = true};
+          .avif = true,
+          .full_chroma = true,
+          .polished = true};
 }
 
 ModelRow finished() {
