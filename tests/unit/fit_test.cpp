@@ -278,6 +278,18 @@ TEST(Fit, FindsTheSmallestFileBelowAnError) {
   EXPECT_GE(best.error, 0.28);
 }
 
+TEST(Fit, LandsOnAnErrorWhereAllTrianglesTakeMostOfTheBytes) {
+  World world{.facet_rate = 2, .map_bits = 1.6};
+  world.penalty = [](Recipe const& r) {
+    return (r.painting == Painting::map ? 50.0 / r.texture : 5) * (r.triangles < 1300 ? 20 : 1);
+  };
+  Trial const best = winner({1300, true}, {.max_kb = 60, .max_error = 0.06}, world);
+  EXPECT_EQ(best.recipe.triangles, 1300);
+  EXPECT_LT(best.map_bytes, best.bytes / 2);
+  EXPECT_LE(best.error, 0.06);
+  EXPECT_GE(best.error, 0.055);
+}
+
 TEST(Fit, ComesBackFromFilesTooSmallForAnError) {  // where error falls faster than any usual power of the bytes
   World steep;
   steep.penalty = [](Recipe const& r) {
