@@ -15,6 +15,13 @@ bool is_mipmapped(GltfJson const* sampler) {
   return filter != nearest && filter != linear;
 }
 
+Filter filter_of(GltfJson const* sampler, char const* key) {
+  constexpr std::uint64_t nearest = 9728, linear = 9729, nearest_of_nearest = 9984, nearest_between_levels = 9986;
+  std::uint64_t const filter = sampler ? whole(*sampler, key).value_or(linear) : linear;
+  bool const is_nearest = filter == nearest || filter == nearest_of_nearest || filter == nearest_between_levels;
+  return is_nearest ? Filter::nearest : Filter::linear;
+}
+
 Wrap wrap_of(GltfJson const* sampler, char const* key) {
   std::uint64_t const mode = sampler ? whole(*sampler, key).value_or(10497) : 10497;
   if (mode == 33071) return Wrap::clamp;
@@ -171,6 +178,8 @@ TextureUse GltfMaterials::use(GltfJson const& info, ColourSpace space) {
   GltfJson const* const modes = sampler ? &gltf_.item("samplers", *sampler) : nullptr;
   result.wrap_u = wrap_of(modes, "wrapS");
   result.wrap_v = wrap_of(modes, "wrapT");
+  result.magnified = filter_of(modes, "magFilter");
+  result.minified = filter_of(modes, "minFilter");
   result.mipmapped = is_mipmapped(modes);
   if (GltfJson const* const transform = extension(info, "KHR_texture_transform")) result.matrix = uv_matrix(*transform);
   return result;

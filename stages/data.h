@@ -54,10 +54,14 @@ Image opaque(Image const& picture);
 
 enum class Wrap { repeat, mirror, clamp };
 
+/// What is read between the middles of texels.
+enum class Filter { linear, nearest };
+
 /// Use of an image by a material; maps the vertex's uv to the image's: (u, v) -> matrix * (u, v, 1).
 struct TextureUse {
   int image = -1;  ///< index into SourceModel::images; -1: none
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  Filter magnified = Filter::linear, minified = Filter::linear;  ///< where it is drawn larger and smaller than it is
   bool mipmapped = true;  ///< clients read smaller versions where it is far away; else the image itself, which flickers
   std::array<float, 6> matrix{1, 0, 0, 0, 1, 0};  ///< 2 x 3, row by row
 };

@@ -80,7 +80,7 @@ float wrap(float at, Wrap mode) {
   return turn > 1 ? 2 - turn : turn;
 }
 
-/// Two neighbouring texels of a row or column and the weight of the second.
+/// Two neighbouring texels, or twice the same, of a row or column and the weight of the second.
 struct Pair {
   int low, high;
   float weight;
@@ -90,6 +90,11 @@ Pair neighbours(float wrapped, int size, Wrap mode) {
   float const place = wrapped * float(size) - 0.5f;
   int const low = int(place + 1) - 1, last = size - 1, before = mode == Wrap::repeat ? last : 0;
   return {low < 0 ? before : low, low < last ? low + 1 : last - before, place - float(low)};
+}
+
+Pair nearest_to(float wrapped, int size) {
+  int const at = std::min(int(wrapped * float(size)), size - 1);
+  return {at, at, 0};
 }
 
 std::array<float, 256> const kShareOfByte = [] {
@@ -157,20 +162,23 @@ MipMap::MipMap(Image const& image, ColourSpace space) : base_(image), space_(spa
   for (std::size_t level = 0; level <= smaller_.size(); ++level) decoded_.push_back(decode(level_image(level), space));
 }
 
-Rgba MipMap::sample_level(std::size_t level, V2f wrapped, Wrap wrap_u, Wrap wrap_v) const {
+Rgba MipMap::sample_level(std::size_t level, V2f wrapped, TextureUse const& use, Filter filter) const {
   Image const& image = level_image(level);
-  Pair const x = neighbours(wrapped.x, image.width, wrap_u), y = neighbours(wrapped.y, image.height, wrap_v);
+  bool const nearest = filter == Filter::nearest;
+  Pair const x = nearest ? nearest_to(wrapped.x, image.width) : neighbours(wrapped.x, image.width, use.wrap_u);
+  Pair const y = nearest ? nearest_to(wrapped.y, image.height) : neighbours(wrapped.y, image.height, use.wrap_v);
   return decoded_[level].empty() ? of_bytes(image, space_, x, y) : bilinear(decoded_[level], image.width, x, y);
 }
 
-Rgba MipMap::sample(V2f uv, float level, Wrap wrap_u, Wrap wrap_v) const {
-  V2f const wrapped(wrap(uv.x, wrap_u), wrap(uv.y, wrap_v));
+Rgba MipMap::sample(V2f uv, float level, TextureUse const& use) const {
+  V2f const wrapped(wrap(uv.x, use.wrap_u), wrap(uv.y, use.wrap_v));
+  Filter const filter = level > 0 ? use.minified : use.magnified;
   float const clamped = level > 0 ? std::min(level, float(smaller_.size())) : 0;
   std::size_t const finer = static_cast<std::size_t>(clamped);
-  Rgba colour = sample_level(finer, wrapped, wrap_u, wrap_v);
+  Rgba colour = sample_level(finer, wrapped, use, filter);
   float const weight = clamped - float(finer);
   if (weight == 0) return colour;
-  Rgba const coarser = sample_level(finer + 1, wrapped, wrap_u, wrap_v);
+  Rgba const coarser = sample_level(finer + 1, wrapped, use, filter);
   for (int k = 0; k < 4; ++k) colour[k] = mix(colour[k], coarser[k], weight);
   return colour;
 }

@@ -17,12 +17,12 @@ class MipMap {
   MipMap(Image const& image, ColourSpace space);
 
   /// Trilinear lookup, linear values in [0,1]; grey images give equal channels, those without alpha 1.
-  /// `level`: 0 the image itself, 1 half its size, ...; clamped to what there is.
-  Rgba sample(V2f uv, float level, Wrap wrap_u, Wrap wrap_v) const;
+  /// `level`: 0 the image itself, 1 half its size, ...; clamped to what there is. `use`: how it is wrapped and filtered.
+  Rgba sample(V2f uv, float level, TextureUse const& use) const;
 
  private:
   Image const& level_image(std::size_t level) const { return level == 0 ? base_ : smaller_[level - 1]; }
-  Rgba sample_level(std::size_t level, V2f wrapped, Wrap wrap_u, Wrap wrap_v) const;
+  Rgba sample_level(std::size_t level, V2f wrapped, TextureUse const& use, Filter filter) const;
 
   Image const& base_;
   ColourSpace space_;

@@ -88,7 +88,7 @@ class Shown {
   explicit Shown(Image const& image) : map_(image, ColourSpace::srgb) {}
 
   V3f operator()(V2f const& uv) const {
-    Rgba const c = map_.sample(uv, 0, Wrap::repeat, Wrap::repeat);
+    Rgba const c = map_.sample(uv, 0, {});
     return {linear_to_srgb(c[0]), linear_to_srgb(c[1]), linear_to_srgb(c[2])};
   }
 

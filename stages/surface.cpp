@@ -139,7 +139,7 @@ struct Surface::Impl {
     for (std::size_t i = 0; i < at.count; ++i) {
       float const level = squared[i] > 1 ? std::log2(squared[i]) / 2 : 0;
       V2f const uv = interpolate(uvs[0], uvs[1], uvs[2], {at.u[i], at.v[i]});
-      Rgba const texel = maps[use.image]->sample(uv, level, use.wrap_u, use.wrap_v);
+      Rgba const texel = maps[use.image]->sample(uv, level, use);
       for (std::size_t k = 0; k < 4; ++k) read[k][i] = texel[k];
     }
     return read;

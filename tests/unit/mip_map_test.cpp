@@ -17,7 +17,7 @@ using testing::FloatNear;
 Image black_and_white() { return {2, 1, 1, ColourSpace::srgb, {0, 255}}; }
 
 float grey(MipMap const& map, V2f uv, float level, Wrap wrap = Wrap::repeat) {
-  return map.sample(uv, level, wrap, wrap)[0];
+  return map.sample(uv, level, {.wrap_u = wrap, .wrap_v = wrap})[0];
 }
 
 TEST(MipMap, TexelCentresReadTheTexels) {
@@ -48,6 +48,19 @@ TEST(MipMap, OddSizesAreReadAtTheMiddlesOfTheNewTexels) {
   EXPECT_FLOAT_EQ(grey(map, {0.75f, 0.5f}, 1), 210.f / 255);
 }
 
+TEST(MipMap, ReadsTheNearestTexelsWhereToldTo) {
+  Image const image{4, 1, 1, ColourSpace::linear, {0, 100, 200, 250}};
+  MipMap const map(image, ColourSpace::linear);
+  TextureUse const magnified{.magnified = Filter::nearest}, minified{.minified = Filter::nearest};
+  for (float u : {0.26f, 0.4f, 0.49f}) {
+    EXPECT_FLOAT_EQ(map.sample({u, 0.5f}, 0, magnified)[0], 100.f / 255);
+    EXPECT_FLOAT_EQ(map.sample({u, 0.5f}, 1, minified)[0], 50.f / 255);
+    EXPECT_FLOAT_EQ(map.sample({u, 0.5f}, 0.5f, minified)[0], 75.f / 255);
+  }
+  EXPECT_FLOAT_EQ(map.sample({1, 0.5f}, 0, {.wrap_u = Wrap::clamp, .magnified = Filter::nearest})[0], 250.f / 255);
+  EXPECT_NE(map.sample({0.4f, 0.5f}, 0, minified)[0], 100.f / 255);
+}
+
 TEST(MipMap, WrapsAsTold) {
   Image const image = black_and_white();
   MipMap const map(image, ColourSpace::srgb);
@@ -73,7 +86,7 @@ TEST(MipMap, SurvivesCoordinatesBeyondReason) {
 TEST(MipMap, AlphaIsNeverGammaCoded) {
   Image const image{1, 1, 2, ColourSpace::srgb, {128, 128}};
   float const linear = srgb_to_linear(128.f / 255);
-  EXPECT_THAT(MipMap(image, ColourSpace::srgb).sample({0.5f, 0.5f}, 0, Wrap::clamp, Wrap::clamp),
+  EXPECT_THAT(MipMap(image, ColourSpace::srgb).sample({0.5f, 0.5f}, 0, {.wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp}),
               ElementsAre(linear, linear, linear, 128.f / 255));
 }
 

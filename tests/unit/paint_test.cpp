@@ -34,7 +34,7 @@ std::vector<V3f> shown(BakedModel const& model) {
     MipMap const map(*model.colour, ColourSpace::srgb);
     for (std::size_t f = 0; f < model.corner_uvs.size(); ++f)
       for (int k = 0; k < 3; ++k) {
-        Rgba const c = map.sample(model.corner_uvs[f][k], 0, Wrap::repeat, Wrap::repeat);
+        Rgba const c = map.sample(model.corner_uvs[f][k], 0, {});
         colours[model.mesh.triangles[f][k]] = {c[0], c[1], c[2]};
       }
   }

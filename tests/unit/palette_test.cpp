@@ -17,7 +17,7 @@ std::vector<V3f> shown(Palette const& palette) {
   MipMap const map(palette.image, ColourSpace::srgb);
   std::vector<V3f> colours;
   for (V2f const& uv : palette.uvs) {
-    Rgba const c = map.sample(uv, 0, Wrap::repeat, Wrap::repeat);
+    Rgba const c = map.sample(uv, 0, {});
     colours.emplace_back(linear_to_srgb(c[0]), linear_to_srgb(c[1]), linear_to_srgb(c[2]));
   }
   return colours;

@@ -506,6 +506,22 @@ TEST(ReadGltf, SamplersSayHowTexturesRepeat) {
   EXPECT_FALSE(read(b).materials[0].colour_map.mipmapped);
 }
 
+TEST(ReadGltf, SamplersSayWhatIsReadBetweenTexels) {
+  Builder b = mapped_square();
+  b.json["textures"][0]["sampler"] = 0;
+  b.json["samplers"][0] = {{"magFilter", 9729}, {"minFilter", 9987}};
+  EXPECT_EQ(read(b).materials[0].colour_map.magnified, Filter::linear);
+  EXPECT_EQ(read(b).materials[0].colour_map.minified, Filter::linear);
+  b.json["samplers"][0] = {{"magFilter", 9728}};
+  EXPECT_EQ(read(b).materials[0].colour_map.magnified, Filter::nearest);
+  EXPECT_EQ(read(b).materials[0].colour_map.minified, Filter::linear);
+  for (int nearest : {9728, 9984, 9986}) {
+    b.json["samplers"][0] = {{"minFilter", nearest}};
+    EXPECT_EQ(read(b).materials[0].colour_map.magnified, Filter::linear);
+    EXPECT_EQ(read(b).materials[0].colour_map.minified, Filter::nearest);
+  }
+}
+
 TEST(ReadGltf, TextureTransformsScaleThenTurnThenShift) {
   Builder b = mapped_square();
   Doc& info = b.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
